@@ -1,0 +1,54 @@
+// The acceleration structure as it lies in device memory. Plain data for C++ and OpenCL C alike.
+#ifndef ONDE_SHARED_BVH_H
+#define ONDE_SHARED_BVH_H
+
+#include "shared/types.h"
+
+#define BVH_WIDTH 16       // children of a node
+#define BVH_LEAF_WIDTH 8   // triangles of a leaf block
+#define BVH_NONE 0xffffffffu // no primitive, no instance
+
+// A child word: inner nodes are plain indices; leaves have the top bit and two bits of kind.
+#define BVH_LEAF 0x80000000u
+#define BVH_KIND_MASK 0xe0000000u
+#define BVH_LEAF_TRIANGLES 0x80000000u // index of a TriangleBlock
+#define BVH_LEAF_SPHERE 0xa0000000u    // index into the spheres
+#define BVH_LEAF_INSTANCE 0xc0000000u  // index into the instances
+#define BVH_INDEX_MASK 0x1fffffffu
+
+// 512 bytes, of which 448 are used. Bounds by axis, low then high, so that the far plane of an axis
+// is at the near plane's byte offset xor 64. An empty slot has low > high and is never entered.
+typedef struct {
+    float low_x[BVH_WIDTH], high_x[BVH_WIDTH];
+    float low_y[BVH_WIDTH], high_y[BVH_WIDTH];
+    float low_z[BVH_WIDTH], high_z[BVH_WIDTH];
+    uint child[BVH_WIDTH];
+    uint unused[BVH_WIDTH];
+} BvhNode;
+
+// 320 bytes: one vertex and two edges of up to 8 triangles, and their global primitive ids in
+// ascending order; BVH_NONE marks an empty slot, whose triangle is degenerate.
+typedef struct {
+    float v0_x[BVH_LEAF_WIDTH], v0_y[BVH_LEAF_WIDTH], v0_z[BVH_LEAF_WIDTH];
+    float e1_x[BVH_LEAF_WIDTH], e1_y[BVH_LEAF_WIDTH], e1_z[BVH_LEAF_WIDTH];
+    float e2_x[BVH_LEAF_WIDTH], e2_y[BVH_LEAF_WIDTH], e2_z[BVH_LEAF_WIDTH];
+    uint primitive[BVH_LEAF_WIDTH];
+} TriangleBlock;
+
+// 32 bytes. A sphere primitive in the space of the tree that holds it.
+typedef struct {
+    float center[3];
+    float radius;
+    uint primitive;
+    uint unused[3];
+} BvhSphere;
+
+// 128 bytes. Rows of the 3x4 matrices: x' = row . (x, y, z, 1).
+typedef struct {
+    float world_to_object[12];
+    float object_to_world[12];
+    uint root; // child word of the instanced tree's root
+    uint unused[7];
+} BvhInstance;
+
+#endif

@@ -1,0 +1,59 @@
+// What is the same for every path of a frame, and the table of counters.
+#ifndef ONDE_SHARED_FRAME_H
+#define ONDE_SHARED_FRAME_H
+
+#include "shared/types.h"
+
+#define FILTER_TABLE_SIZE 64
+
+typedef struct {
+    // Camera. A ray through pixel coordinates (x, y), y downward, leaves
+    // origin + lens toward corner + x * step_x + y * step_y on the focus plane.
+    float origin[3];
+    float aperture_radius;
+    float corner[3];
+    float focus_distance;
+    float step_x[3];
+    float pad0;
+    float step_y[3];
+    float pad1;
+    float lens_u[3]; // unit right
+    float pad2;
+    float lens_v[3]; // unit up
+    float pad3;
+
+    uint width, height; // of the film
+    uint seed;
+    uint max_depth; // the most surfaces a path may visit
+    uint roulette_start; // first bounce at which Russian roulette may end a path
+    uint light_count;
+    uint environment_light; // index of the environment among the lights, or NO_INDEX
+    uint environment_width, environment_height; // of the map; 0 when it is constant
+    float environment_radiance[3];
+    float environment_rotation; // in turns
+    float environment_pad[3];
+    // Inverse cumulative distribution of the pixel filter, offsets in pixels.
+    float filter_table[FILTER_TABLE_SIZE];
+} FrameRecord;
+
+// One wave of paths. Path i works on pixel_order[first_pixel + i / samples] and sample
+// first_sample + i % samples.
+typedef struct {
+    uint path_count;
+    uint first_pixel;
+    uint first_sample;
+    uint samples; // per pixel in this wave; a power of two
+} WaveRecord;
+
+// Rows of the counter table, one column per bounce (up to COUNTER_BOUNCES).
+#define COUNTER_BOUNCES 64
+#define COUNTER_EXTENSION 0 // rays intersected for their closest hit
+#define COUNTER_SHADOW 1    // rays tested for any hit
+#define COUNTER_ROWS 2
+// After the table: paths whose radiance was not finite, and the first of them.
+#define COUNTER_INVALID (COUNTER_ROWS * COUNTER_BOUNCES)
+#define COUNTER_INVALID_PIXEL (COUNTER_INVALID + 1)  // x | y << 16
+#define COUNTER_INVALID_SAMPLE (COUNTER_INVALID + 2)
+#define COUNTER_SIZE (COUNTER_INVALID + 4)
+
+#endif

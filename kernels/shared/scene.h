@@ -1,0 +1,88 @@
+// Materials, surfaces, lights and textures as they lie in device memory. Every record is an array
+// of 32-bit words, because width-generic code gathers single words by lane.
+#ifndef ONDE_SHARED_SCENE_H
+#define ONDE_SHARED_SCENE_H
+
+#include "shared/types.h"
+
+#define NO_INDEX 0xffffffffu
+
+#define MATERIAL_DIFFUSE 0u
+#define MATERIAL_CONDUCTOR 1u
+#define MATERIAL_DIELECTRIC 2u
+#define MATERIAL_METALLIC_ROUGHNESS 3u
+
+// 80 bytes. See onde::Material for meanings; textures are NO_INDEX where there is none.
+typedef struct {
+    float base_color[3];
+    uint kind;
+    float emission[3];
+    float roughness;
+    float metallic;
+    float ior;
+    float normal_scale;
+    uint two_sided;
+    uint base_color_texture;
+    uint metallic_roughness_texture;
+    uint emission_texture;
+    uint normal_texture;
+    uint unused[4];
+} MaterialRecord;
+
+#define SURFACE_SPHERE 0x80000000u // flag in SurfaceRecord.material
+
+// 64 bytes, one per primitive. Unit vectors are octahedral, 2 x 16 bits (see lib/octahedral.h).
+// Triangle: corner normals, tangent, uvs and geometric normal in object space.
+// Sphere: `geometric` holds the centre, `uv[0]` the radius; the rest is unused.
+typedef struct {
+    uint normal[3];
+    uint material; // index, with SURFACE_SPHERE
+    float uv[6];   // u0 v0 u1 v1 u2 v2
+    float geometric[3];
+    uint tangent; // octahedral with the lowest bit replaced by the sign of the bitangent
+    uint light;   // index into the lights, or NO_INDEX
+    uint unused;
+} SurfaceRecord;
+
+#define LIGHT_TRIANGLE 0u
+#define LIGHT_SPHERE 1u
+#define LIGHT_POINT 2u
+#define LIGHT_DIRECTIONAL 3u
+#define LIGHT_ENVIRONMENT 4u
+
+// 80 bytes, in world space.
+typedef struct {
+    uint kind;
+    float pmf;         // probability of being chosen
+    float alias_below; // stay here when the choice's fraction is below, else take alias
+    uint alias;
+    float position[3]; // triangle: first corner; sphere: centre; directional: unit vector to it
+    float area;        // triangle: area; sphere: radius
+    float edge1[3];    // triangle: edges from the first corner
+    uint material;     // triangle, sphere: emitting material
+    float edge2[3];
+    uint surface;      // triangle: its SurfaceRecord
+    float radiance[3]; // point: intensity; directional: irradiance
+    uint unused;
+} LightRecord;
+
+#define WRAP_REPEAT 0u
+#define WRAP_CLAMP 1u
+#define WRAP_MIRROR 2u
+
+// 32 bytes. Texels are RGBA8 words in one common buffer.
+typedef struct {
+    uint offset; // of the first texel
+    uint width, height;
+    uint srgb;
+    uint wrap_u, wrap_v;
+    uint unused[2];
+} TextureRecord;
+
+// 8 bytes, one per environment pixel: alias table for choosing a pixel by its power.
+typedef struct {
+    float below;
+    uint alias;
+} AliasRecord;
+
+#endif

@@ -1,0 +1,78 @@
+// From triangles, spheres and instances to the 16-wide tree that the kernels walk.
+// Values in, values out: no OpenCL, no scene.
+#pragma once
+
+#include "core/aligned.h"
+#include "shared/bvh.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace onde {
+
+struct SphereInput {
+    glm::vec3 center{0.0f};
+    float radius = 1.0f;
+};
+
+/// Primitives that share one space. Their global ids are first_primitive + index, triangles first,
+/// then spheres. Degenerate triangles are allowed; they are never hit. Positions must be finite.
+struct Geometry {
+    std::span<const glm::vec3> positions;
+    std::span<const glm::uvec3> triangles;
+    std::span<const SphereInput> spheres;
+    uint32_t first_primitive = 0;
+};
+
+/// A geometry placed in the world by an affine, invertible transform.
+struct Placement {
+    uint32_t geometry = 0;
+    glm::mat4 object_to_world{1.0f};
+};
+
+struct BvhOptions {
+    uint32_t bins = 32;          ///< of the surface-area heuristic, per axis
+    float traversal_cost = 1.0f; ///< of entering a wide node
+    float leaf_cost = 1.0f;      ///< of testing one leaf block or sphere
+    bool parallel = true;        ///< the result is the same either way
+};
+
+struct BvhStatistics {
+    uint32_t triangles = 0, spheres = 0, instances = 0;
+    uint32_t nodes = 0, blocks = 0, depth = 0;
+    double children_per_node = 0;
+    double triangles_per_block = 0;
+    double sah_cost = 0; ///< expected cost of a random ray that meets the root, in the options' units
+    double build_seconds = 0;
+};
+
+/// The tree of one world. Placement i becomes instances[i] unless it is hung directly.
+struct Bvh {
+    AlignedVector<BvhNode> nodes;
+    AlignedVector<TriangleBlock> blocks;
+    AlignedVector<BvhSphere> spheres;
+    AlignedVector<BvhInstance> instances;
+    uint32_t root = 0;       ///< child word
+    uint32_t stack_size = 1; ///< entries that a traversal may need at once, over both levels
+    bool has_instances = false; ///< false when no leaf of the tree is an instance
+    BvhStatistics statistics;
+};
+
+/// Builds one tree per geometry by the binned surface-area heuristic, makes it 16 wide by the
+/// SAH-optimal dynamic programme, and joins the placements by a top level. A geometry that is placed
+/// once, by the identity, is hung directly: its hits have no instance. Node bounds are padded so
+/// that the kernels' slab test is conservative for origins within a few scene extents.
+/// Deterministic, whatever the number of threads. Throws InputError beyond 2^29 blocks or nodes.
+Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> placements,
+              const BvhOptions& options = {});
+
+/// Checks every invariant of the layout (bounds contain children, each primitive present, indices in
+/// range, stack_size sufficient, ids ascending in blocks); an empty string, or the first violation.
+std::string validate_bvh(const Bvh& bvh, std::span<const Geometry> geometries,
+                         std::span<const Placement> placements);
+
+} // namespace onde

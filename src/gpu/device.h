@@ -1,0 +1,62 @@
+// Which OpenCL devices there are, what they can do, and the one that we opened.
+#pragma once
+
+#include <CL/opencl.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace onde::gpu {
+
+/// What we know of a device, asked once.
+struct DeviceFacts {
+    std::string name, vendor, driver_version;
+    std::string platform, platform_version;
+    bool is_cpu = false, is_gpu = false;
+    bool is_pocl = false;
+    bool avx2 = false, avx512 = false; ///< of the host, where the device is a CPU
+    uint32_t compute_units = 0;
+    uint64_t global_memory = 0;  ///< bytes
+    uint64_t max_allocation = 0; ///< bytes in one buffer
+    size_t max_work_group_size = 1;
+    bool correctly_rounded_divide_sqrt = false;
+    std::string problem; ///< empty, or why it can't be used
+};
+
+struct PlatformReport {
+    std::string name, version;
+    std::vector<DeviceFacts> devices;
+    std::string problem; ///< empty, or why the platform can't be used
+};
+
+/// Every platform and device of the ICD loader, in the loader's order. A platform that fails is
+/// listed with its problem. Never throws for a broken platform.
+std::vector<PlatformReport> list_platforms();
+
+/// An open device with its context and an in-order, profiling queue. Move-only.
+class Device {
+  public:
+    Device(cl::Device device, DeviceFacts facts);
+
+    const DeviceFacts& facts() const { return facts_; }
+    const cl::Device& raw() const { return device_; }
+    const cl::Context& context() const { return context_; }
+    const cl::CommandQueue& queue() const { return queue_; }
+    /// Waits for all that was queued. Throws DeviceError.
+    void finish() const;
+
+  private:
+    DeviceFacts facts_;
+    cl::Device device_;
+    cl::Context context_;
+    cl::CommandQueue queue_;
+};
+
+/// Opens the device with that index in list_platforms() order ("0"), or whose name or platform
+/// contains the text (case-insensitive), or for an empty selector the first usable GPU, then CPU,
+/// then anything. Throws DeviceError with the list of what there is.
+Device open_device(std::string_view selector = {});
+
+} // namespace onde::gpu

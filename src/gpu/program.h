@@ -1,0 +1,123 @@
+// From kernel files to kernels that can be launched: sources, compilation, our own binary cache.
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/device.h"
+#include "gpu/profiler.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace onde::gpu {
+
+/// Where kernel files come from: embedded in the binary, or a folder for live editing.
+class KernelSources {
+  public:
+    static KernelSources embedded();
+    static KernelSources folder(std::filesystem::path root); ///< throws InputError if it is none
+
+    /// The text of a file named relative to kernels/, for example "lib/lanes.h".
+    /// Throws DeviceError naming the file when there is none.
+    std::string read(const std::string& file) const;
+
+    /// `file` with every #include "..." replaced by that file, once each (as if by #pragma once),
+    /// with #line directives so that build logs name our files and lines.
+    std::string flatten(const std::string& file) const;
+
+  private:
+    std::optional<std::filesystem::path> root_;
+};
+
+/// A kernel of a program and the one local size that it is ever launched with.
+/// Rule for every kernel of ours: its first parameter is `uint count`, and it returns at once
+/// when count is 0, touching nothing else. That is how programs are warmed for the cache.
+struct KernelShape {
+    std::string name;
+    size_t local_size = 1;
+};
+
+struct ProgramRequest {
+    std::string file;                 ///< relative to kernels/
+    std::vector<std::string> defines; ///< "NAME=VALUE"
+    std::vector<KernelShape> kernels; ///< those that will be launched
+};
+
+struct BuildReport {
+    double seconds = 0; ///< everything: flatten, compile or load, first launches
+    bool from_cache = false;
+};
+
+/// A kernel with its constant local size. Copyable handle; arguments belong to the handle's kernel.
+class Kernel {
+  public:
+    Kernel() = default;
+    Kernel(cl::Kernel kernel, KernelShape shape, const Device& device);
+
+    const std::string& name() const { return shape_.name; }
+
+    /// Sets one argument: a trivially copyable value or a Buffer.
+    template <class T> void set(uint32_t index, const T& value);
+    template <class T> void set(uint32_t index, const Buffer<T>& buffer);
+    /// Sets arguments first, first + 1, ...; returns the next index.
+    template <class... Args> uint32_t set_from(uint32_t first, const Args&... args);
+
+    /// Queues at least `items` work items (rounded up to the local size; kernels check their count).
+    /// Throws DeviceError naming the kernel.
+    void launch(size_t items, Profiler* profiler = nullptr);
+
+  private:
+    cl::Kernel kernel_;
+    KernelShape shape_;
+    cl::CommandQueue queue_;
+};
+
+class Program {
+  public:
+    Program(std::vector<Kernel> kernels, BuildReport report)
+        : kernels_(std::move(kernels)), report_(report) {}
+    /// Throws DeviceError if the request did not name it.
+    Kernel& kernel(std::string_view name);
+    const BuildReport& report() const { return report_; }
+
+  private:
+    std::vector<Kernel> kernels_;
+    BuildReport report_;
+};
+
+/// Binaries on disk, one file per key. Default folder: $ONDE_CACHE_DIR, else
+/// $XDG_CACHE_HOME/onde, else ~/.cache/onde. A damaged entry is a miss. Writes are atomic and
+/// failures to write are silent: a cache is never a reason to fail.
+class ProgramCache {
+  public:
+    explicit ProgramCache(std::filesystem::path folder = default_folder());
+    static std::filesystem::path default_folder();
+
+    struct Entry {
+        std::string key;
+        uint64_t bytes = 0;
+    };
+    std::vector<Entry> list() const;
+    size_t clear() const; ///< returns how many entries went
+    std::optional<std::string> load(const std::string& key) const;
+    void store(const std::string& key, const std::string& binary) const;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+/// Compiles (or loads from `cache`, if not null) the program and launches each kernel once, empty,
+/// at its local size, before a binary is taken. The one function that turns device facts into -D
+/// options is device_options(). Throws DeviceError with the build log, which names our files.
+Program build_program(const Device& device, const KernelSources& sources,
+                      const ProgramRequest& request, const ProgramCache* cache);
+
+/// The compiler options that follow from the device alone: language version, correct rounding,
+/// ONDE_CPU, ONDE_NOINLINE_TRAVERSAL, ONDE_PREFETCH ... each as "-D..." or "-cl-...".
+std::vector<std::string> device_options(const DeviceFacts& facts);
+
+} // namespace onde::gpu
+
+#include "gpu/program_impl.h"

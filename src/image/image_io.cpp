@@ -1,0 +1,164 @@
+#include "image/image_io.h"
+
+#include "core/error.h"
+#include "core/files.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+namespace onde {
+
+namespace {
+
+using Input = std::unique_ptr<OIIO::ImageInput>;
+
+constexpr uint64_t MAX_PIXELS = uint64_t(1) << 28;
+constexpr float MAX_HALF = 65504.0f;
+
+/// Pictures are read and written one at a time beside a renderer that owns the cores.
+void limit_threads() {
+    static const bool done = [] {
+        OIIO::attribute("threads", 1);
+        OIIO::attribute("exr_threads", 4);
+        return true;
+    }();
+    (void)done;
+}
+
+/// OpenImageIO's message as the tail of our sentence: one line, no final stop. Takes the message
+/// out of the library, which would otherwise print it when the program ends.
+std::string reason(std::string message) {
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    while (!message.empty() && (message.back() == ' ' || message.back() == '.')) message.pop_back();
+    return message.empty() ? "no reason given" : message;
+}
+
+[[noreturn]] void throw_unreadable(const std::string& name, const std::string& message) {
+    throw InputError("cannot read the image {}: {}; convert it again or name another file", name,
+                     reason(message));
+}
+
+/// Refuses a picture by its header, before any pixel is allocated.
+void check_size(const OIIO::ImageSpec& spec, const std::string& name) {
+    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+        throw_unreadable(name, "its header claims no pixels");
+    if (spec.depth > 1 || spec.deep) throw_unreadable(name, "it is a volume or a deep image");
+    if (uint64_t(spec.width) * uint64_t(spec.height) > MAX_PIXELS)
+        throw InputError("the image {} claims {} x {} pixels, more than the limit of {}; scale it "
+                         "down",
+                         name, spec.width, spec.height, MAX_PIXELS);
+    if (spec.nchannels > 1024)
+        throw InputError("the image {} has {} channels, more than the limit of 1024; store fewer "
+                         "channels",
+                         name, spec.nchannels);
+}
+
+/// Opens a file, or `proxy`'s bytes where there is one, and checks its header. Colour is left as
+/// stored: without the hint OpenImageIO multiplies it by alpha.
+Input open_input(const std::string& file, const std::string& name,
+                 OIIO::Filesystem::IOProxy* proxy = nullptr) {
+    limit_threads();
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    Input input = OIIO::ImageInput::open(file, &hints, proxy);
+    const std::string message = OIIO::geterror();
+    if (!input) throw_unreadable(name, message);
+    check_size(input->spec(), name);
+    return input;
+}
+
+/// All samples of the first subimage, converted to T: `spec.nchannels` per pixel.
+template <class T>
+std::vector<T> read_samples(OIIO::ImageInput& input, OIIO::TypeDesc type, const std::string& name) {
+    const OIIO::ImageSpec& spec = input.spec();
+    std::vector<T> samples(size_t(spec.width) * spec.height * spec.nchannels);
+    const bool complete = input.read_image(0, 0, 0, spec.nchannels, type, samples.data());
+    const std::string message = input.geterror() + OIIO::geterror();
+    if (!complete) throw_unreadable(name, message);
+    return samples;
+}
+
+/// Which stored channel feeds each channel of the result; -1 is opaque alpha.
+using ChannelMap = std::vector<int>;
+
+/// R, G, B and A by name, else by count: grey, grey and alpha, RGB, RGBA.
+ChannelMap map_channels(const OIIO::ImageSpec& spec, const std::string& name) {
+    const int r = spec.channelindex("R"), g = spec.channelindex("G"), b = spec.channelindex("B");
+    if (r >= 0 && g >= 0 && b >= 0) {
+        const int a = spec.channelindex("A");
+        return a >= 0 ? ChannelMap{r, g, b, a} : ChannelMap{r, g, b};
+    }
+    switch (spec.nchannels) {
+    case 1: return {0};
+    case 2: return {0, 0, 0, 1};
+    case 3: return {0, 1, 2};
+    case 4: return {0, 1, 2, 3};
+    default:
+        throw_unreadable(name, "none of its " + std::to_string(spec.nchannels) +
+                                   " channels is called R, G or B");
+    }
+}
+
+/// Like map_channels, always four.
+ChannelMap map_to_rgba(const OIIO::ImageSpec& spec, const std::string& name) {
+    ChannelMap map = map_channels(spec, name);
+    if (map.size() == 1) map = {map[0], map[0], map[0]};
+    if (map.size() == 3) map.push_back(-1);
+    return map;
+}
+
+template <class T>
+std::vector<T> pick_channels(const std::vector<T>& samples, int stored, const ChannelMap& map,
+                             T opaque) {
+    const size_t pixels = samples.size() / size_t(stored);
+    std::vector<T> picked;
+    picked.reserve(pixels * map.size());
+    for (size_t pixel = 0; pixel < pixels; ++pixel)
+        for (const int channel : map)
+            picked.push_back(channel < 0 ? opaque : samples[pixel * size_t(stored) + channel]);
+    return picked;
+}
+
+/// OpenImageIO chooses a decoder by extension; this is the one that fits the content. Only Targa
+/// has no signature, so there the name decides.
+std::optional<std::string> extension_of(std::string_view file, std::string_view name) {
+    using namespace std::literals;
+    constexpr std::array<std::pair<std::string_view, const char*>, 8> SIGNATURES{{
+        {"\x89PNG\r\n\x1a\n"sv, "png"},
+        {"\xff\xd8\xff"sv, "jpg"},
+        {"RIFF"sv, "webp"},
+        {"GIF8"sv, "gif"},
+        {"BM"sv, "bmp"},
+        {"\x76\x2f\x31\x01"sv, "exr"},
+        {"II*\0"sv, "tif"},
+        {"#?RADIANCE"sv, "hdr"},
+    }};
+    for (const auto& [signature, extension] : SIGNATURES)
+        if (file.starts_with(signature)) return extension;
+    if (name.ends_with(".tga") || name.ends_with(".TGA")) return "tga";
+    return std::nullopt;
+}
+
+} // namespace
+
+ByteImage decode_byte_image(std::span<const uint8_t> file, const std::string& name) {
+    const std::string_view bytes(reinterpret_cast<const char*>(file.data()), file.size());
+    const auto extension = extension_of(bytes, name);
+    if (!extension)
+        throw InputError("the image {} is in no known format; store it as PNG or JPEG", name);
+    OIIO::Filesystem::IOMemReader memory(file.data(), file.size());
+    const Input input = open_input("memory." + *extension, name, &memory);
+    const OIIO::ImageSpec spec = input->spec();
+    const ChannelMap map = map_to_rgba(spec, name);
+    const auto samples = read_samples<uint8_t>(*input, OIIO::TypeDesc::UINT8, name);
+    return {uint32_t(spec.width), uint32_t(spec.height),
+            pick_channels(samples, spec.nchannels, map, uint8_t(255))};
+}
+
+} // namespace onde

@@ -59,16 +59,24 @@ void check_size(const OIIO::ImageSpec& spec, const std::string& name) {
                          name, spec.nchannels);
 }
 
-/// Opens a file, or `proxy`'s bytes where there is one, and checks its header. Colour is left as
-/// stored: without the hint OpenImageIO multiplies it by alpha.
-Input open_input(const std::string& file, const std::string& name,
-                 OIIO::Filesystem::IOProxy* proxy = nullptr) {
-    limit_threads();
+/// Colour is left as stored: without the hint OpenImageIO multiplies it by alpha.
+OIIO::ImageSpec reading_hints() {
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
-    Input input = OIIO::ImageInput::open(file, &hints, proxy);
-    const std::string message = OIIO::geterror();
-    if (!input) throw_unreadable(name, message);
+    return hints;
+}
+
+/// Opens a file in memory with the decoder called `format`. The proxy is set on the decoder itself:
+/// ImageInput::open would lose it after its trial of the header.
+Input open_memory(const std::string& format, OIIO::Filesystem::IOProxy& bytes,
+                  const std::string& name) {
+    limit_threads();
+    Input input = OIIO::ImageInput::create(format);
+    if (!input) throw_unreadable(name, OIIO::geterror());
+    OIIO::ImageSpec spec;
+    const bool opened = input->set_ioproxy(&bytes) && input->open(name, spec, reading_hints());
+    const std::string message = input->geterror() + OIIO::geterror();
+    if (!opened) throw_unreadable(name, message);
     check_size(input->spec(), name);
     return input;
 }
@@ -95,10 +103,14 @@ ChannelMap map_channels(const OIIO::ImageSpec& spec, const std::string& name) {
         return a >= 0 ? ChannelMap{r, g, b, a} : ChannelMap{r, g, b};
     }
     switch (spec.nchannels) {
-    case 1: return {0};
-    case 2: return {0, 0, 0, 1};
-    case 3: return {0, 1, 2};
-    case 4: return {0, 1, 2, 3};
+    case 1:
+        return {0};
+    case 2:
+        return {0, 0, 0, 1};
+    case 3:
+        return {0, 1, 2};
+    case 4:
+        return {0, 1, 2, 3};
     default:
         throw_unreadable(name, "none of its " + std::to_string(spec.nchannels) +
                                    " channels is called R, G or B");
@@ -125,23 +137,22 @@ std::vector<T> pick_channels(const std::vector<T>& samples, int stored, const Ch
     return picked;
 }
 
-/// OpenImageIO chooses a decoder by extension; this is the one that fits the content. Only Targa
-/// has no signature, so there the name decides.
-std::optional<std::string> extension_of(std::string_view file, std::string_view name) {
+/// The decoder that fits the content. Only Targa has no signature: there the name decides.
+std::optional<std::string> format_of(std::string_view file, std::string_view name) {
     using namespace std::literals;
     constexpr std::array<std::pair<std::string_view, const char*>, 8> SIGNATURES{{
         {"\x89PNG\r\n\x1a\n"sv, "png"},
-        {"\xff\xd8\xff"sv, "jpg"},
+        {"\xff\xd8\xff"sv, "jpeg"},
         {"RIFF"sv, "webp"},
         {"GIF8"sv, "gif"},
         {"BM"sv, "bmp"},
-        {"\x76\x2f\x31\x01"sv, "exr"},
-        {"II*\0"sv, "tif"},
+        {"\x76\x2f\x31\x01"sv, "openexr"},
+        {"II*\0"sv, "tiff"},
         {"#?RADIANCE"sv, "hdr"},
     }};
-    for (const auto& [signature, extension] : SIGNATURES)
-        if (file.starts_with(signature)) return extension;
-    if (name.ends_with(".tga") || name.ends_with(".TGA")) return "tga";
+    for (const auto& [signature, format] : SIGNATURES)
+        if (file.starts_with(signature)) return format;
+    if (name.ends_with(".tga") || name.ends_with(".TGA")) return "targa";
     return std::nullopt;
 }
 
@@ -149,11 +160,11 @@ std::optional<std::string> extension_of(std::string_view file, std::string_view 
 
 ByteImage decode_byte_image(std::span<const uint8_t> file, const std::string& name) {
     const std::string_view bytes(reinterpret_cast<const char*>(file.data()), file.size());
-    const auto extension = extension_of(bytes, name);
-    if (!extension)
+    const auto format = format_of(bytes, name);
+    if (!format)
         throw InputError("the image {} is in no known format; store it as PNG or JPEG", name);
     OIIO::Filesystem::IOMemReader memory(file.data(), file.size());
-    const Input input = open_input("memory." + *extension, name, &memory);
+    const Input input = open_memory(*format, memory, name);
     const OIIO::ImageSpec spec = input->spec();
     const ChannelMap map = map_to_rgba(spec, name);
     const auto samples = read_samples<uint8_t>(*input, OIIO::TypeDesc::UINT8, name);

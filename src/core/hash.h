@@ -1,6 +1,7 @@
 // Content hashes for cache keys and for the scene hash stored in pictures (XXH3, 64 bits).
 #pragma once
 
+#define XXH_STATIC_LINKING_ONLY // declares the state, which lives inside a Hasher
 #include <xxhash.h>
 
 #include <cstdint>

@@ -7,7 +7,8 @@
 
 namespace onde {
 
-/// Interleaved floating-point pixels, origin top left. `pixels.size() == width * height * channels`.
+/// Interleaved floating-point pixels, origin top left. `pixels.size() == width * height *
+/// channels`.
 struct Image {
     uint32_t width = 0;
     uint32_t height = 0;

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "image/tone.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -156,6 +157,59 @@ std::optional<std::string> format_of(std::string_view file, std::string_view nam
     return std::nullopt;
 }
 
+/// Opens a file held in `memory` by its content; what has no signature is left to OpenImageIO,
+/// which goes by the extension of `path`.
+Input open_file(const std::filesystem::path& path, const std::string& bytes,
+                OIIO::Filesystem::IOProxy& memory) {
+    const std::string name = path.string();
+    if (const auto format = format_of(bytes, name)) return open_memory(*format, memory, name);
+    limit_threads();
+    const OIIO::ImageSpec hints = reading_hints();
+    Input input = OIIO::ImageInput::open(name, &hints);
+    if (!input) throw_unreadable(name, OIIO::geterror());
+    check_size(input->spec(), name);
+    return input;
+}
+
+bool is_integer(const OIIO::ImageSpec& spec) {
+    return spec.format == OIIO::TypeDesc::UINT8 || spec.format == OIIO::TypeDesc::UINT16;
+}
+
+void linearise(Image& image) {
+    for (size_t i = 0; i < image.pixels.size(); ++i)
+        if (image.channels != 4 || i % 4 != 3) image.pixels[i] = linear_from_srgb(image.pixels[i]);
+}
+
+/// The header of a file to be written.
+OIIO::ImageSpec make_spec(const Image& image, OIIO::TypeDesc type, const ImageMetadata& metadata) {
+    OIIO::ImageSpec spec(int(image.width), int(image.height), int(image.channels), type);
+    spec.attribute("oiio:UnassociatedAlpha", 1); // the pixels are stored as they are
+    for (const auto& [key, value] : metadata) spec.attribute(key, value);
+    return spec;
+}
+
+void check_channels(const Image& image, const std::filesystem::path& path) {
+    if (image.channels != 1 && image.channels != 3 && image.channels != 4)
+        throw InputError("{}: a picture of {} channels cannot be written; give 1, 3 or 4",
+                         path.string(), image.channels);
+}
+
+/// Writes through a temporary file; `samples` are of `type`, `spec` says how they are stored.
+void write_file(const std::filesystem::path& path, const std::string& format,
+                const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* samples) {
+    limit_threads();
+    check_writable(path);
+    replace_file(path, [&](const std::filesystem::path& temporary) {
+        const auto output = OIIO::ImageOutput::create(format);
+        const bool written = output && output->open(temporary.string(), spec) &&
+                             output->write_image(type, samples) && output->close();
+        const std::string message = (output ? output->geterror() : "") + OIIO::geterror();
+        if (!written)
+            throw InputError("{}: the picture cannot be written: {}; choose another output",
+                             path.string(), reason(message));
+    });
+}
+
 } // namespace
 
 ByteImage decode_byte_image(std::span<const uint8_t> file, const std::string& name) {
@@ -170,6 +224,54 @@ ByteImage decode_byte_image(std::span<const uint8_t> file, const std::string& na
     const auto samples = read_samples<uint8_t>(*input, OIIO::TypeDesc::UINT8, name);
     return {uint32_t(spec.width), uint32_t(spec.height),
             pick_channels(samples, spec.nchannels, map, uint8_t(255))};
+}
+
+Image read_image(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path), name = path.string();
+    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+    const Input input = open_file(path, bytes, memory);
+    const OIIO::ImageSpec spec = input->spec();
+    const ChannelMap map = map_channels(spec, name);
+    Image image;
+    image.width = uint32_t(spec.width);
+    image.height = uint32_t(spec.height);
+    image.channels = uint32_t(map.size());
+    image.pixels = pick_channels(read_samples<float>(*input, OIIO::TypeDesc::FLOAT, name),
+                                 spec.nchannels, map, 1.0f);
+    if (is_integer(spec)) linearise(image);
+    return image;
+}
+
+ImageMetadata read_image_metadata(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path);
+    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+    const Input input = open_file(path, bytes, memory);
+    ImageMetadata metadata;
+    for (const OIIO::ParamValue& attribute : input->spec().extra_attribs)
+        if (attribute.type() == OIIO::TypeDesc::STRING)
+            metadata.emplace(attribute.name().string(), attribute.get_string());
+    return metadata;
+}
+
+void write_exr(const std::filesystem::path& path, const Image& image, const ImageMetadata& metadata,
+               ExrDepth depth) {
+    check_channels(image, path);
+    const bool half = depth == ExrDepth::half_float;
+    auto spec = make_spec(image, half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT, metadata);
+    spec.attribute("compression", "zip");
+    if (!half) return write_file(path, "openexr", spec, OIIO::TypeDesc::FLOAT, image.pixels.data());
+    std::vector<float> clamped = image.pixels;
+    for (float& value : clamped) value = std::clamp(value, -MAX_HALF, MAX_HALF);
+    write_file(path, "openexr", spec, OIIO::TypeDesc::FLOAT, clamped.data());
+}
+
+void write_png(const std::filesystem::path& path, const Image& image, const Display& display,
+               const ImageMetadata& metadata) {
+    check_channels(image, path);
+    auto spec = make_spec(image, OIIO::TypeDesc::UINT8, metadata);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    const std::vector<uint8_t> bytes = display_bytes(image, display);
+    write_file(path, "png", spec, OIIO::TypeDesc::UINT8, bytes.data());
 }
 
 } // namespace onde

@@ -38,7 +38,7 @@ enum class ToneMap { none, filmic };
 
 /// How linear radiance becomes a displayed picture.
 struct Display {
-    float exposure = 0.0f;           ///< in stops: the picture is multiplied by 2^exposure
+    float exposure = 0.0f;            ///< in stops: the picture is multiplied by 2^exposure
     ToneMap tone_map = ToneMap::none; ///< none: clip at 1; filmic: a smooth shoulder (see tone.h)
 };
 

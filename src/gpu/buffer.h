@@ -12,7 +12,8 @@ namespace onde::gpu {
 
 /// A device buffer of `size()` elements. At least one element is always allocated, so that an empty
 /// buffer may be bound to a kernel. Throws DeviceError when the device refuses.
-template <class T> class Buffer {
+template <class T>
+class Buffer {
     static_assert(std::is_trivially_copyable_v<T>);
 
   public:

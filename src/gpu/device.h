@@ -4,6 +4,7 @@
 #include <CL/opencl.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,7 +39,10 @@ std::vector<PlatformReport> list_platforms();
 /// An open device with its context and an in-order, profiling queue. Move-only.
 class Device {
   public:
+    /// Throws DeviceError when the driver refuses.
     Device(cl::Device device, DeviceFacts facts);
+    Device(Device&&) = default;
+    Device& operator=(Device&&) = default;
 
     const DeviceFacts& facts() const { return facts_; }
     const cl::Device& raw() const { return device_; }
@@ -54,9 +58,15 @@ class Device {
     cl::CommandQueue queue_;
 };
 
-/// Opens the device with that index in list_platforms() order ("0"), or whose name or platform
-/// contains the text (case-insensitive), or for an empty selector the first usable GPU, then CPU,
-/// then anything. Throws DeviceError with the list of what there is.
+/// The place, counted through all platforms, of the device with that index ("0"), or whose name or
+/// platform contains the text (case-insensitive; usable ones first), or for an empty selector of
+/// the first usable GPU, then CPU, then anything. Nothing when there is none. The device found by a
+/// selector may have a problem.
+std::optional<size_t> choose_device(const std::vector<PlatformReport>& platforms,
+                                    std::string_view selector = {});
+
+/// Opens the device that choose_device() picks from list_platforms(). Throws DeviceError with the
+/// list of what there is when nothing matches or the device that matches has a problem.
 Device open_device(std::string_view selector = {});
 
 } // namespace onde::gpu

@@ -6,9 +6,9 @@
 #include "gpu/profiler.h"
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace onde::gpu {
@@ -24,7 +24,10 @@ class KernelSources {
     std::string read(const std::string& file) const;
 
     /// `file` with every #include "..." replaced by that file, once each (as if by #pragma once),
-    /// with #line directives so that build logs name our files and lines.
+    /// with #line directives so that build logs name our files and lines. Names are relative to
+    /// kernels/. An #include must not stand under an #if that may be false: the one text of a file
+    /// lands at its first mention. Throws DeviceError naming the file and line of an #include of a
+    /// file that there is not.
     std::string flatten(const std::string& file) const;
 
   private:
@@ -37,12 +40,17 @@ class KernelSources {
 struct KernelShape {
     std::string name;
     size_t local_size = 1;
+    /// About the most work items of one launch. PoCL compiles a kernel again for grids that reach
+    /// 65535 items, so a launch beyond that, not announced here, pays for it when it comes.
+    size_t items = 1;
 };
 
 struct ProgramRequest {
     std::string file;                 ///< relative to kernels/
     std::vector<std::string> defines; ///< "NAME=VALUE"
-    std::vector<KernelShape> kernels; ///< those that will be launched
+    /// Those that will be launched. Name all of the file: PoCL compiles the unnamed ones as well,
+    /// for no particular local size, when it hands out the binary.
+    std::vector<KernelShape> kernels;
 };
 
 struct BuildReport {
@@ -59,16 +67,22 @@ class Kernel {
     const std::string& name() const { return shape_.name; }
 
     /// Sets one argument: a trivially copyable value or a Buffer.
-    template <class T> void set(uint32_t index, const T& value);
-    template <class T> void set(uint32_t index, const Buffer<T>& buffer);
+    template <class T>
+    void set(uint32_t index, const T& value);
+    template <class T>
+    void set(uint32_t index, const Buffer<T>& buffer);
     /// Sets arguments first, first + 1, ...; returns the next index.
-    template <class... Args> uint32_t set_from(uint32_t first, const Args&... args);
+    template <class... Args>
+    uint32_t set_from(uint32_t first, const Args&... args);
 
-    /// Queues at least `items` work items (rounded up to the local size; kernels check their count).
-    /// Throws DeviceError naming the kernel.
+    /// Queues at least `items` work items (rounded up to the local size; kernels check their
+    /// count); none for 0 items. Throws DeviceError naming the kernel.
     void launch(size_t items, Profiler* profiler = nullptr);
 
   private:
+    void set_bytes(uint32_t index, size_t size, const void* value);
+    void set_memory(uint32_t index, const cl::Buffer& buffer);
+
     cl::Kernel kernel_;
     KernelShape shape_;
     cl::CommandQueue queue_;
@@ -93,7 +107,9 @@ class Program {
 class ProgramCache {
   public:
     explicit ProgramCache(std::filesystem::path folder = default_folder());
+    /// Empty, which makes a cache that never holds anything, where the environment has no home.
     static std::filesystem::path default_folder();
+    const std::filesystem::path& folder() const { return folder_; }
 
     struct Entry {
         std::string key;
@@ -114,8 +130,10 @@ class ProgramCache {
 Program build_program(const Device& device, const KernelSources& sources,
                       const ProgramRequest& request, const ProgramCache* cache);
 
-/// The compiler options that follow from the device alone: language version, correct rounding,
-/// ONDE_CPU, ONDE_NOINLINE_TRAVERSAL, ONDE_PREFETCH ... each as "-D..." or "-cl-...".
+/// The compiler options that follow from the device alone: language version, argument info, correct
+/// rounding, and ONDE_CPU, ONDE_AVX2, ONDE_AVX512 as 0 or 1, each option as "-D..." or "-cl-...".
+/// The latter two are 1 only on PoCL on x86, whose compiler takes x86 builtins; kernels also ask
+/// __AVX512F__ and the like, since POCL_LLVM_CPU_NAME may aim PoCL lower than the host.
 std::vector<std::string> device_options(const DeviceFacts& facts);
 
 } // namespace onde::gpu

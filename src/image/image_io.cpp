@@ -20,6 +20,11 @@ namespace {
 using Input = std::unique_ptr<OIIO::ImageInput>;
 
 constexpr uint64_t MAX_PIXELS = uint64_t(1) << 28;
+
+/// Deflate packs at most 1032 to 1 and no other coding in common use does much better; a header
+/// that claims more than this was made to exhaust memory.
+constexpr uint64_t MAX_SAMPLES_PER_BYTE = 1 << 14;
+
 constexpr float MAX_HALF = 65504.0f;
 
 /// Pictures are read and written one at a time beside a renderer that owns the cores.
@@ -45,8 +50,8 @@ std::string reason(std::string message) {
                      reason(message));
 }
 
-/// Refuses a picture by its header, before any pixel is allocated.
-void check_size(const OIIO::ImageSpec& spec, const std::string& name) {
+/// Refuses a picture by its header, before any pixel is allocated. `bytes` is the file's size.
+void check_size(const OIIO::ImageSpec& spec, size_t bytes, const std::string& name) {
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
         throw_unreadable(name, "its header claims no pixels");
     if (spec.depth > 1 || spec.deep) throw_unreadable(name, "it is a volume or a deep image");
@@ -54,10 +59,22 @@ void check_size(const OIIO::ImageSpec& spec, const std::string& name) {
         throw InputError("the image {} claims {} x {} pixels, more than the limit of {}; scale it "
                          "down",
                          name, spec.width, spec.height, MAX_PIXELS);
-    if (spec.nchannels > 1024)
-        throw InputError("the image {} has {} channels, more than the limit of 1024; store fewer "
-                         "channels",
-                         name, spec.nchannels);
+    const uint64_t pixels = std::max(uint64_t(spec.width) * uint64_t(spec.height),
+                                     uint64_t(spec.tile_width) * uint64_t(spec.tile_height));
+    if (pixels * uint64_t(spec.nchannels) > MAX_SAMPLES_PER_BYTE * bytes)
+        throw_unreadable(name, "its header claims far more pixels than its bytes can hold");
+}
+
+/// Runs `read` with what the decoders throw, out of memory included, turned into our sentence.
+template <class Read>
+auto guarded(const std::string& name, Read read) {
+    try {
+        return read();
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw_unreadable(name, error.what());
+    }
 }
 
 /// Colour is left as stored: without the hint OpenImageIO multiplies it by alpha.
@@ -78,7 +95,7 @@ Input open_memory(const std::string& format, OIIO::Filesystem::IOProxy& bytes,
     const bool opened = input->set_ioproxy(&bytes) && input->open(name, spec, reading_hints());
     const std::string message = input->geterror() + OIIO::geterror();
     if (!opened) throw_unreadable(name, message);
-    check_size(input->spec(), name);
+    check_size(input->spec(), bytes.size(), name);
     return input;
 }
 
@@ -167,7 +184,7 @@ Input open_file(const std::filesystem::path& path, const std::string& bytes,
     const OIIO::ImageSpec hints = reading_hints();
     Input input = OIIO::ImageInput::open(name, &hints);
     if (!input) throw_unreadable(name, OIIO::geterror());
-    check_size(input->spec(), name);
+    check_size(input->spec(), bytes.size(), name);
     return input;
 }
 
@@ -218,39 +235,45 @@ ByteImage decode_byte_image(std::span<const uint8_t> file, const std::string& na
     if (!format)
         throw InputError("the image {} is in no known format; store it as PNG or JPEG", name);
     OIIO::Filesystem::IOMemReader memory(file.data(), file.size());
-    const Input input = open_memory(*format, memory, name);
-    const OIIO::ImageSpec spec = input->spec();
-    const ChannelMap map = map_to_rgba(spec, name);
-    const auto samples = read_samples<uint8_t>(*input, OIIO::TypeDesc::UINT8, name);
-    return {uint32_t(spec.width), uint32_t(spec.height),
-            pick_channels(samples, spec.nchannels, map, uint8_t(255))};
+    return guarded(name, [&]() -> ByteImage {
+        const Input input = open_memory(*format, memory, name);
+        const OIIO::ImageSpec spec = input->spec();
+        const ChannelMap map = map_to_rgba(spec, name);
+        const auto samples = read_samples<uint8_t>(*input, OIIO::TypeDesc::UINT8, name);
+        return {uint32_t(spec.width), uint32_t(spec.height),
+                pick_channels(samples, spec.nchannels, map, uint8_t(255))};
+    });
 }
 
 Image read_image(const std::filesystem::path& path) {
     const std::string bytes = read_file(path), name = path.string();
     OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-    const Input input = open_file(path, bytes, memory);
-    const OIIO::ImageSpec spec = input->spec();
-    const ChannelMap map = map_channels(spec, name);
-    Image image;
-    image.width = uint32_t(spec.width);
-    image.height = uint32_t(spec.height);
-    image.channels = uint32_t(map.size());
-    image.pixels = pick_channels(read_samples<float>(*input, OIIO::TypeDesc::FLOAT, name),
-                                 spec.nchannels, map, 1.0f);
-    if (is_integer(spec)) linearise(image);
-    return image;
+    return guarded(name, [&] {
+        const Input input = open_file(path, bytes, memory);
+        const OIIO::ImageSpec spec = input->spec();
+        const ChannelMap map = map_channels(spec, name);
+        Image image;
+        image.width = uint32_t(spec.width);
+        image.height = uint32_t(spec.height);
+        image.channels = uint32_t(map.size());
+        image.pixels = pick_channels(read_samples<float>(*input, OIIO::TypeDesc::FLOAT, name),
+                                     spec.nchannels, map, 1.0f);
+        if (is_integer(spec)) linearise(image);
+        return image;
+    });
 }
 
 ImageMetadata read_image_metadata(const std::filesystem::path& path) {
     const std::string bytes = read_file(path);
     OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-    const Input input = open_file(path, bytes, memory);
-    ImageMetadata metadata;
-    for (const OIIO::ParamValue& attribute : input->spec().extra_attribs)
-        if (attribute.type() == OIIO::TypeDesc::STRING)
-            metadata.emplace(attribute.name().string(), attribute.get_string());
-    return metadata;
+    return guarded(path.string(), [&] {
+        const Input input = open_file(path, bytes, memory);
+        ImageMetadata metadata;
+        for (const OIIO::ParamValue& attribute : input->spec().extra_attribs)
+            if (attribute.type() == OIIO::TypeDesc::STRING)
+                metadata.emplace(attribute.name().string(), attribute.get_string());
+        return metadata;
+    });
 }
 
 void write_exr(const std::filesystem::path& path, const Image& image, const ImageMetadata& metadata,

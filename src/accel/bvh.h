@@ -46,7 +46,8 @@ struct BvhStatistics {
     uint32_t nodes = 0, blocks = 0, depth = 0;
     double children_per_node = 0;
     double triangles_per_block = 0;
-    double sah_cost = 0; ///< expected cost of a random ray that meets the root, in the options' units
+    double sah_cost =
+        0; ///< expected cost of a random ray that meets the root, in the options' units
     double build_seconds = 0;
 };
 
@@ -56,22 +57,23 @@ struct Bvh {
     AlignedVector<TriangleBlock> blocks;
     AlignedVector<BvhSphere> spheres;
     AlignedVector<BvhInstance> instances;
-    uint32_t root = 0;       ///< child word
-    uint32_t stack_size = 1; ///< entries that a traversal may need at once, over both levels
+    uint32_t root = 0;          ///< child word
+    uint32_t stack_size = 1;    ///< entries that a traversal may need at once, over both levels
     bool has_instances = false; ///< false when no leaf of the tree is an instance
     BvhStatistics statistics;
 };
 
 /// Builds one tree per geometry by the binned surface-area heuristic, makes it 16 wide by the
-/// SAH-optimal dynamic programme, and joins the placements by a top level. A geometry that is placed
-/// once, by the identity, is hung directly: its hits have no instance. Node bounds are padded so
-/// that the kernels' slab test is conservative for origins within a few scene extents.
+/// SAH-optimal dynamic programme, and joins the placements by a top level. A geometry that is
+/// placed once, by the identity, is hung directly: its hits have no instance. Node bounds are
+/// padded so that the kernels' slab test is conservative for origins within a few scene extents.
 /// Deterministic, whatever the number of threads. Throws InputError beyond 2^29 blocks or nodes.
 Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> placements,
               const BvhOptions& options = {});
 
-/// Checks every invariant of the layout (bounds contain children, each primitive present, indices in
-/// range, stack_size sufficient, ids ascending in blocks); an empty string, or the first violation.
+/// Checks every invariant of the layout (bounds contain children, each primitive present, indices
+/// in range, stack_size sufficient, ids ascending in blocks); an empty string, or the first
+/// violation.
 std::string validate_bvh(const Bvh& bvh, std::span<const Geometry> geometries,
                          std::span<const Placement> placements);
 

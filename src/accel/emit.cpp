@@ -1,0 +1,126 @@
+// Writes wide trees as the kernels read them.
+#include "accel/parallel.h"
+#include "accel/wide.h"
+
+#include <algorithm>
+
+namespace onde::accel {
+
+namespace {
+
+void set_slot(BvhNode& node, uint32_t slot, const Box& box, uint32_t word) {
+    node.low_x[slot] = box.low[0], node.high_x[slot] = box.high[0];
+    node.low_y[slot] = box.low[1], node.high_y[slot] = box.high[1];
+    node.low_z[slot] = box.low[2], node.high_z[slot] = box.high[2];
+    node.child[slot] = word;
+}
+
+void set_triangle(TriangleBlock& block, uint32_t lane, const Geometry& geometry, uint32_t index) {
+    const glm::uvec3 corners = geometry.triangles[index];
+    const glm::vec3 v0 = geometry.positions[corners.x];
+    const glm::vec3 e1 = geometry.positions[corners.y] - v0;
+    const glm::vec3 e2 = geometry.positions[corners.z] - v0;
+    block.v0_x[lane] = v0.x, block.v0_y[lane] = v0.y, block.v0_z[lane] = v0.z;
+    block.e1_x[lane] = e1.x, block.e1_y[lane] = e1.y, block.e1_z[lane] = e1.z;
+    block.e2_x[lane] = e2.x, block.e2_y[lane] = e2.y, block.e2_z[lane] = e2.z;
+    block.primitive[lane] = geometry.first_primitive + index;
+}
+
+} // namespace
+
+class Emitter {
+  public:
+    Emitter(const WideTree& wide, std::span<const Geometry> geometries, Bvh& out)
+        : wide_(wide), tree_(wide.collapse_.tree()), geometries_(geometries), out_(out) {}
+
+    uint32_t emit_root(WidePlace place) const {
+        if (!tree_.is_empty() && tree_.nodes[0].is_leaf()) return emit_leaf(tree_.nodes[0], place);
+        if (tree_.is_empty())
+            out_.nodes[place.node] = empty_node();
+        else
+            emit_node(0, place);
+        return place.node;
+    }
+
+  private:
+    /// Preorder: a node's own leaves lie side by side, then come its inner children one by one.
+    void emit_node(uint32_t index, WidePlace place) const {
+        const ChildList children = wide_.collapse_.children(index);
+        BvhNode node = empty_node();
+        WidePlace next = place;
+        next.node += 1;
+        uint32_t slot = 0;
+        for (uint32_t child : children) {
+            const BinaryNode& leaf = tree_.nodes[child];
+            if (leaf.is_leaf()) set_slot(node, slot, padded(leaf.box()), emit_leaf(leaf, next));
+            ++slot;
+        }
+        WidePlace places[BVH_WIDTH];
+        for (slot = 0; slot < children.count; ++slot) {
+            const BinaryNode& inner = tree_.nodes[children.node[slot]];
+            if (inner.is_leaf()) continue;
+            set_slot(node, slot, padded(inner.box()), next.node);
+            places[slot] = next;
+            next.advance(wide_.sizes_[children.node[slot]]);
+        }
+        out_.nodes[place.node] = node;
+
+        constexpr uint32_t TASK_SIZE = 16384;
+        const bool parallel = wide_.parallel_ && tree_.nodes[index].count > TASK_SIZE;
+        for_each_child(children.count, parallel, [&](size_t i) {
+            if (!tree_.nodes[children.node[i]].is_leaf()) emit_node(children.node[i], places[i]);
+        });
+    }
+
+    /// Returns the leaf's child word and moves `place` past what it wrote.
+    uint32_t emit_leaf(const BinaryNode& leaf, WidePlace& place) const {
+        const Reference& first = tree_.references[leaf.begin];
+        if (!first.is_single()) {
+            emit_block(leaf, out_.blocks[place.block]);
+            return BVH_LEAF_TRIANGLES | place.block++;
+        }
+        if (first.owner() == Reference::INSTANCE) return BVH_LEAF_INSTANCE | first.index();
+        emit_sphere(first, out_.spheres[place.sphere]);
+        return BVH_LEAF_SPHERE | place.sphere++;
+    }
+
+    void emit_block(const BinaryNode& leaf, TriangleBlock& block) const {
+        Reference members[BVH_LEAF_WIDTH];
+        for (uint32_t i = 0; i < leaf.count; ++i) {
+            const Reference& added = tree_.references[leaf.begin + i];
+            uint32_t lane = i;
+            for (; lane > 0 && primitive(added) < primitive(members[lane - 1]); --lane)
+                members[lane] = members[lane - 1];
+            members[lane] = added;
+        }
+        block = {};
+        std::fill_n(block.primitive, BVH_LEAF_WIDTH, BVH_NONE);
+        for (uint32_t lane = 0; lane < leaf.count; ++lane)
+            set_triangle(block, lane, geometries_[members[lane].owner()], members[lane].index());
+    }
+
+    void emit_sphere(const Reference& reference, BvhSphere& sphere) const {
+        const Geometry& geometry = geometries_[reference.owner() & ~Reference::SINGLE];
+        const SphereInput& input = geometry.spheres[reference.index() - geometry.triangles.size()];
+        sphere = {{input.center.x, input.center.y, input.center.z},
+                  input.radius,
+                  geometry.first_primitive + reference.index(),
+                  {}};
+    }
+
+    uint32_t primitive(const Reference& reference) const {
+        return geometries_[reference.owner()].first_primitive + reference.index();
+    }
+
+    const WideTree& wide_;
+    const BinaryTree& tree_;
+    std::span<const Geometry> geometries_;
+    Bvh& out_;
+};
+
+uint32_t WideTree::emit(std::span<const Geometry> geometries, const WidePlace& place,
+                        Bvh& out) const {
+    return Emitter(*this, geometries, out).emit_root(place);
+}
+
+} // namespace onde::accel

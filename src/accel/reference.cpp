@@ -1,0 +1,51 @@
+#include "accel/reference.h"
+
+#include "accel/parallel.h"
+
+namespace onde::accel {
+
+namespace {
+
+void fill_references(const Geometry& geometry, uint32_t owner, std::span<Reference> out,
+                     bool parallel) {
+    const size_t triangles = geometry.triangles.size();
+    for_each_index(out.size(), parallel, [&](size_t i) {
+        const auto index = uint32_t(i);
+        out[i] = i < triangles ? Reference(triangle_box(geometry, index), owner, index)
+                               : Reference(sphere_box(geometry.spheres[i - triangles]),
+                                           owner | Reference::SINGLE, index);
+    });
+}
+
+} // namespace
+
+Box triangle_box(const Geometry& geometry, uint32_t triangle) {
+    const glm::uvec3 corners = geometry.triangles[triangle];
+    Box box;
+    for (glm::length_t corner = 0; corner < 3; ++corner)
+        box.extend(lanes(geometry.positions[corners[corner]]));
+    return box;
+}
+
+Box sphere_box(const SphereInput& sphere) {
+    return {lanes(sphere.center - sphere.radius), lanes(sphere.center + sphere.radius)};
+}
+
+std::vector<Reference> make_references(std::span<const Geometry> geometries,
+                                       std::span<const uint32_t> owners, bool parallel) {
+    size_t count = 0;
+    for (uint32_t owner : owners)
+        count += geometries[owner].triangles.size() + geometries[owner].spheres.size();
+
+    std::vector<Reference> references(count);
+    size_t first = 0;
+    for (uint32_t owner : owners) {
+        const Geometry& geometry = geometries[owner];
+        const size_t size = geometry.triangles.size() + geometry.spheres.size();
+        fill_references(geometry, owner, std::span(references).subspan(first, size), parallel);
+        first += size;
+    }
+    return references;
+}
+
+} // namespace onde::accel

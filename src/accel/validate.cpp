@@ -1,0 +1,271 @@
+// An independent reading of a finished tree: trusts nothing that the builder computed on the way.
+#include "accel/reference.h"
+#include "accel/statistics.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+
+namespace onde {
+
+using namespace accel;
+
+namespace {
+
+/// Which primitives a tree must hold, and how often each was seen.
+struct Roll {
+    std::vector<uint32_t> geometries;
+    std::vector<std::vector<uint8_t>> seen; ///< by position in `geometries`, then by index
+};
+
+/// What is known of a subtree that was walked.
+struct Walked {
+    Box box;            ///< of all its primitives, exact where it has no instances
+    uint32_t stack = 0; ///< entries that may wait below it
+};
+
+class Validator {
+  public:
+    Validator(const Bvh& bvh, std::span<const Geometry> geometries,
+              std::span<const Placement> placements)
+        : bvh_(bvh), geometries_(geometries), placements_(placements),
+          visited_(bvh.nodes.size(), false), hung_(placements.size(), false) {}
+
+    std::string run() {
+        if (bvh_.instances.size() != placements_.size())
+            return fmt::format("{} instances for {} placements", bvh_.instances.size(),
+                               placements_.size());
+        walk_instanced_trees();
+        const Walked world = walk_tree(bvh_.root, world_roll());
+        if (problem_.empty()) check_hanging();
+        if (problem_.empty() && world.stack + 1 > bvh_.stack_size)
+            fail("stack_size {} is below {}", bvh_.stack_size, world.stack + 1);
+        return problem_;
+    }
+
+  private:
+    template <class... Args>
+    void fail(fmt::format_string<Args...> format, Args&&... args) {
+        if (problem_.empty()) problem_ = fmt::format(format, std::forward<Args>(args)...);
+    }
+
+    bool is_instanced(uint32_t placement) const {
+        return bvh_.instances[placement].root != BVH_NONE;
+    }
+
+    Roll make_roll(std::vector<uint32_t> geometries) const {
+        Roll roll{std::move(geometries), {}};
+        for (uint32_t g : roll.geometries)
+            roll.seen.emplace_back(geometries_[g].triangles.size() + geometries_[g].spheres.size());
+        return roll;
+    }
+
+    Roll world_roll() const {
+        std::vector<uint32_t> direct;
+        for (uint32_t i = 0; i < placements_.size(); ++i)
+            if (!is_instanced(i)) direct.push_back(placements_[i].geometry);
+        return make_roll(std::move(direct));
+    }
+
+    void walk_instanced_trees() {
+        for (uint32_t i = 0; i < placements_.size(); ++i) {
+            const uint32_t geometry = placements_[i].geometry;
+            if (!is_instanced(i) || trees_.contains(geometry)) continue;
+            trees_[geometry] = walk_tree(bvh_.instances[i].root, make_roll({geometry}));
+        }
+    }
+
+    Walked walk_tree(uint32_t root, Roll roll) {
+        const Walked walked = walk(root, roll);
+        for (size_t g = 0; g < roll.seen.size(); ++g)
+            for (size_t i = 0; i < roll.seen[g].size(); ++i)
+                if (roll.seen[g][i] != 1)
+                    fail("primitive {} of geometry {} appears {} times", i, roll.geometries[g],
+                         roll.seen[g][i]);
+        return walked;
+    }
+
+    Walked walk(uint32_t word, Roll& roll) {
+        if (!problem_.empty()) return {};
+        const uint32_t index = word & BVH_INDEX_MASK;
+        if (!(word & BVH_LEAF)) return walk_node(word, roll);
+        switch (word & BVH_KIND_MASK) {
+        case BVH_LEAF_TRIANGLES:
+            return walk_block(index, roll);
+        case BVH_LEAF_SPHERE:
+            return walk_sphere(index, roll);
+        case BVH_LEAF_INSTANCE:
+            return walk_instance(index);
+        }
+        fail("child word {:#x} has no kind", word);
+        return {};
+    }
+
+    Walked walk_node(uint32_t index, Roll& roll) {
+        if (index >= bvh_.nodes.size() || visited_[index]) {
+            fail("node {} is out of range or has two parents", index);
+            return {};
+        }
+        visited_[index] = true;
+        const BvhNode& node = bvh_.nodes[index];
+        Walked result;
+        uint32_t children = 0;
+        for (uint32_t slot = 0; slot < BVH_WIDTH; ++slot) {
+            const Box bounds = slot_box(node, slot);
+            if (bounds.is_empty()) continue;
+            const Walked child = walk(node.child[slot], roll);
+            if (!child.box.is_empty() && !bounds.contains(child.box))
+                fail("slot {} of node {} does not contain its child", slot, index);
+            result.box.extend(bounds);
+            result.stack = std::max(result.stack, child.stack);
+            ++children;
+        }
+        if (children > 1) result.stack += children - 1;
+        return result;
+    }
+
+    /// Marks the primitive with that global id in the roll; none where the tree must not hold it.
+    std::optional<std::pair<uint32_t, uint32_t>> mark(uint32_t id, Roll& roll) {
+        for (size_t g = 0; g < roll.geometries.size(); ++g) {
+            const uint32_t index = id - geometries_[roll.geometries[g]].first_primitive;
+            if (index >= roll.seen[g].size()) continue; // also where the difference wrapped
+            roll.seen[g][index] += roll.seen[g][index] < 255;
+            return std::pair(roll.geometries[g], index);
+        }
+        fail("primitive {} does not belong to this tree", id);
+        return std::nullopt;
+    }
+
+    Walked walk_block(uint32_t index, Roll& roll) {
+        if (index >= bvh_.blocks.size()) {
+            fail("block {} is out of range", index);
+            return {};
+        }
+        const TriangleBlock& block = bvh_.blocks[index];
+        Walked result;
+        for (uint32_t lane = 0; lane < BVH_LEAF_WIDTH; ++lane) {
+            const uint32_t id = block.primitive[lane];
+            if (lane > 0 && id <= block.primitive[lane - 1] && id != BVH_NONE)
+                fail("ids of block {} do not ascend", index);
+            if (id == BVH_NONE)
+                check_empty_lane(block, lane, index);
+            else if (const auto found = mark(id, roll))
+                result.box.extend(check_triangle(block, lane, *found));
+        }
+        return result;
+    }
+
+    void check_empty_lane(const TriangleBlock& block, uint32_t lane, uint32_t index) {
+        const float edges[] = {block.e1_x[lane], block.e1_y[lane], block.e1_z[lane],
+                               block.e2_x[lane], block.e2_y[lane], block.e2_z[lane]};
+        for (float edge : edges)
+            if (edge != 0.0f) fail("empty lane {} of block {} has a triangle", lane, index);
+    }
+
+    Box check_triangle(const TriangleBlock& block, uint32_t lane,
+                       std::pair<uint32_t, uint32_t> found) {
+        const auto [owner, index] = found;
+        const Geometry& geometry = geometries_[owner];
+        if (index >= geometry.triangles.size()) {
+            fail("sphere {} of geometry {} lies in a triangle block", index, owner);
+            return {};
+        }
+        const glm::uvec3 corners = geometry.triangles[index];
+        const glm::vec3 v0 = geometry.positions[corners.x];
+        const glm::vec3 stored[] = {{block.v0_x[lane], block.v0_y[lane], block.v0_z[lane]},
+                                    {block.e1_x[lane], block.e1_y[lane], block.e1_z[lane]},
+                                    {block.e2_x[lane], block.e2_y[lane], block.e2_z[lane]}};
+        if (stored[0] != v0 || stored[1] != geometry.positions[corners.y] - v0 ||
+            stored[2] != geometry.positions[corners.z] - v0)
+            fail("triangle {} of geometry {} is stored with other corners", index, owner);
+        return triangle_box(geometry, index);
+    }
+
+    Walked walk_sphere(uint32_t index, Roll& roll) {
+        if (index >= bvh_.spheres.size()) {
+            fail("sphere {} is out of range", index);
+            return {};
+        }
+        const BvhSphere& sphere = bvh_.spheres[index];
+        const auto found = mark(sphere.primitive, roll);
+        if (!found) return {};
+        const Geometry& geometry = geometries_[found->first];
+        if (found->second < geometry.triangles.size()) {
+            fail("triangle {} is stored as a sphere", sphere.primitive);
+            return {};
+        }
+        const SphereInput& input = geometry.spheres[found->second - geometry.triangles.size()];
+        const glm::vec3 center(sphere.center[0], sphere.center[1], sphere.center[2]);
+        if (center != input.center || sphere.radius != input.radius)
+            fail("sphere {} is stored with another centre or radius", sphere.primitive);
+        return {sphere_box(input), 0};
+    }
+
+    Walked walk_instance(uint32_t index) {
+        if (index >= placements_.size() || !is_instanced(index) || hung_[index]) {
+            fail("instance {} is out of range, has no tree, or hangs twice", index);
+            return {};
+        }
+        hung_[index] = true;
+        const Walked& tree = trees_.at(placements_[index].geometry);
+        check_inverse(index);
+        return {world_box(tree.box, placements_[index].object_to_world), tree.stack + 1};
+    }
+
+    /// The box of the transformed corners, in double precision.
+    static Box world_box(const Box& box, const glm::mat4& transform) {
+        Box result;
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec4 point(
+                box.low[0] + (corner & 1) * (double(box.high[0]) - box.low[0]),
+                box.low[1] + (corner >> 1 & 1) * (double(box.high[1]) - box.low[1]),
+                box.low[2] + (corner >> 2) * (double(box.high[2]) - box.low[2]), 1.0);
+            result.extend(lanes(glm::vec3(glm::dmat4(transform) * point)));
+        }
+        return result;
+    }
+
+    void check_inverse(uint32_t index) {
+        const BvhInstance& instance = bvh_.instances[index];
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 3; ++column) {
+                double product = 0, magnitude = 1;
+                for (int k = 0; k < 3; ++k) {
+                    const double term = double(instance.world_to_object[4 * row + k]) *
+                                        instance.object_to_world[4 * k + column];
+                    product += term;
+                    magnitude += std::abs(term);
+                }
+                if (!(std::abs(product - (row == column)) < 1e-5 * magnitude))
+                    fail("the matrices of instance {} are not inverse to each other", index);
+            }
+    }
+
+    void check_hanging() {
+        bool any = false;
+        for (uint32_t i = 0; i < placements_.size(); ++i) {
+            if (is_instanced(i) && !hung_[i]) fail("instance {} does not hang in the tree", i);
+            any = any || hung_[i];
+        }
+        if (any != bvh_.has_instances) fail("has_instances is {}", bvh_.has_instances);
+        for (size_t i = 0; i < visited_.size(); ++i)
+            if (!visited_[i]) fail("node {} can't be reached", i);
+    }
+
+    const Bvh& bvh_;
+    std::span<const Geometry> geometries_;
+    std::span<const Placement> placements_;
+    std::vector<bool> visited_, hung_;
+    std::map<uint32_t, Walked> trees_; ///< of instanced geometries
+    std::string problem_;
+};
+
+} // namespace
+
+std::string validate_bvh(const Bvh& bvh, std::span<const Geometry> geometries,
+                         std::span<const Placement> placements) {
+    return Validator(bvh, geometries, placements).run();
+}
+
+} // namespace onde

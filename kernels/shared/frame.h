@@ -24,7 +24,7 @@ typedef struct {
 
     uint width, height; // of the film
     uint seed;
-    uint max_depth; // the most surfaces a path may visit
+    uint max_depth;      // the most surfaces a path may visit
     uint roulette_start; // first bounce at which Russian roulette may end a path
     uint light_count;
     uint environment_light; // index of the environment among the lights, or NO_INDEX
@@ -36,24 +36,17 @@ typedef struct {
     float filter_table[FILTER_TABLE_SIZE];
 } FrameRecord;
 
-// One wave of paths. Path i works on pixel_order[first_pixel + i / samples] and sample
-// first_sample + i % samples.
-typedef struct {
-    uint path_count;
-    uint first_pixel;
-    uint first_sample;
-    uint samples; // per pixel in this wave; a power of two
-} WaveRecord;
-
-// Rows of the counter table, one column per bounce (up to COUNTER_BOUNCES).
+// The counter table of a wave, [row][bounce]: queue lengths, and the ray statistics.
 #define COUNTER_BOUNCES 64
 #define COUNTER_EXTENSION 0 // rays intersected for their closest hit
 #define COUNTER_SHADOW 1    // rays tested for any hit
 #define COUNTER_ROWS 2
-// After the table: paths whose radiance was not finite, and the first of them.
-#define COUNTER_INVALID (COUNTER_ROWS * COUNTER_BOUNCES)
-#define COUNTER_INVALID_PIXEL (COUNTER_INVALID + 1)  // x | y << 16
-#define COUNTER_INVALID_SAMPLE (COUNTER_INVALID + 2)
-#define COUNTER_SIZE (COUNTER_INVALID + 4)
+#define COUNTER_SIZE (COUNTER_ROWS * COUNTER_BOUNCES)
+
+// Samples whose radiance was not finite: how many, and the first of them.
+#define INVALID_COUNT 0
+#define INVALID_PIXEL 1 // x | y << 16
+#define INVALID_SAMPLE 2
+#define INVALID_SIZE 4
 
 #endif

@@ -12,7 +12,7 @@
 #define MATERIAL_DIELECTRIC 2u
 #define MATERIAL_METALLIC_ROUGHNESS 3u
 
-// 80 bytes. See onde::Material for meanings; textures are NO_INDEX where there is none.
+// 64 bytes. See onde::Material for meanings; textures are NO_INDEX where there is none.
 typedef struct {
     float base_color[3];
     uint kind;
@@ -26,7 +26,6 @@ typedef struct {
     uint metallic_roughness_texture;
     uint emission_texture;
     uint normal_texture;
-    uint unused[4];
 } MaterialRecord;
 
 #define SURFACE_SPHERE 0x80000000u // flag in SurfaceRecord.material
@@ -63,7 +62,7 @@ typedef struct {
     float edge2[3];
     uint surface;      // triangle: its SurfaceRecord
     float radiance[3]; // point: intensity; directional: irradiance
-    uint unused;
+    float orientation; // triangle: +1, or -1 when the front face is on the other side of e1 x e2
 } LightRecord;
 
 #define WRAP_REPEAT 0u
@@ -74,15 +73,16 @@ typedef struct {
 typedef struct {
     uint offset; // of the first texel
     uint width, height;
-    uint srgb;
     uint wrap_u, wrap_v;
-    uint unused[2];
+    uint unused[3];
 } TextureRecord;
 
-// 8 bytes, one per environment pixel: alias table for choosing a pixel by its power.
+// 16 bytes, one per environment pixel: alias table for choosing a pixel by its power (Vose 1991).
 typedef struct {
-    float below;
+    float below; // stay when the fraction of the draw is below, else take alias
     uint alias;
+    float pmf;
+    uint unused;
 } AliasRecord;
 
 #endif

@@ -1,0 +1,59 @@
+// What a wave works on, as every engine sees it: its paths, the pixels and samples they stand for,
+// the share of a work item, and the ray counters.
+#ifndef ONDE_FILM_JOB_H
+#define ONDE_FILM_JOB_H
+
+#include "lib/lanes.h"
+#include "shared/frame.h"
+
+// Path i of a wave works on pixel_order[first_pixel + i / samples], sample
+// first_sample + i % samples; samples is 2^log2_samples.
+typedef struct {
+    __global const uint* pixel_order; // x | y << 16
+    uint first_pixel, first_sample, log2_samples;
+} WaveJob;
+
+// The same as kernel parameters, in the order in which the host binds them. A work item owns
+// `chunk` paths, a multiple of the samples per pixel.
+#define JOB_PARAMETERS                                                                             \
+    __global uint *counters, __global uint *invalid, __global float4 *film_sums,                   \
+        __global const uint *pixel_order, uint chunk, uint first_pixel, uint first_sample,         \
+        uint log2_samples
+
+#define WAVE_JOB(job)                                                                              \
+    WaveJob job;                                                                                   \
+    job.pixel_order = pixel_order;                                                                 \
+    job.first_pixel = first_pixel;                                                                 \
+    job.first_sample = first_sample;                                                               \
+    job.log2_samples = log2_samples
+
+INLINE natural job_pixel(WaveJob job, natural path) {
+    return gather_natural(job.pixel_order, (path >> job.log2_samples) + job.first_pixel);
+}
+INLINE natural job_sample(WaveJob job, natural path) {
+    return (path & ((1u << job.log2_samples) - 1u)) + job.first_sample;
+}
+
+typedef struct {
+    uint begin, end;
+} Range;
+
+// The paths of this work item, of `count` in all.
+INLINE Range whole_range(uint count, uint chunk) {
+    Range range;
+    range.begin = min((uint)get_global_id(0) * chunk, count);
+    range.end = min(range.begin + chunk, count);
+    return range;
+}
+
+// Lanes of the group at i that lie before `end`.
+INLINE mask group_lanes(uint i, uint end) {
+    return lane_index() + i < end;
+}
+
+// Adds to a counter of the table; the length of a global queue is such a counter.
+INLINE void count_rays(__global uint* counters, uint row, uint bounce, uint rays) {
+    if (rays) atomic_add(&counters[row * COUNTER_BOUNCES + bounce], rays);
+}
+
+#endif

@@ -1,0 +1,135 @@
+// What lies at a hit: position, normals, texture coordinates, material. No light, no BSDF.
+#ifndef ONDE_LIB_SURFACE_H
+#define ONDE_LIB_SURFACE_H
+
+#include "lib/texture.h"
+
+// The closest hits of several rays (see Hit in lib/bvh.h).
+typedef struct {
+    real t, u, v;
+    natural primitive, instance;
+} Hits;
+
+typedef struct {
+    real3 position;
+    real3 geometric; // unit, on the side that the ray came from
+    real3 normal;    // shading normal on that side, unit
+    real2 uv;
+    natural material;
+    natural light; // NO_INDEX when it does not emit
+    mask front;    // whether that side is the front face
+} Surface;
+
+// The one offset rule for ray origins: along the geometric normal, in proportion to the largest
+// number that went into the position, about a hundred times its rounding error.
+#define ORIGIN_OFFSET 2e-5f
+INLINE real3 offset_origin(real3 position, real3 normal, real t) {
+    const real largest =
+        max_component3(make3(fabs(position.x), fabs(position.y), fabs(position.z)));
+    return madd3(normal, max_real(largest, t) * ORIGIN_OFFSET, position);
+}
+
+#if ONDE_INSTANCES
+// A normal of object space in the world, where the hit is on an instance (inverse transpose).
+INLINE real3 instance_normal(SceneView view, natural instance, real3 n) {
+    const mask placed = instance != BVH_NONE;
+    if (!mask_bits(placed)) return n;
+    const natural i = choose(placed, instance, (natural)(0u));
+    const real3 r0 = RECORD3(view.bvh.instances, i, BvhInstance, world_to_object);
+    const real3 r1 = make3(RECORD(view.bvh.instances, i, BvhInstance, world_to_object[4]),
+                           RECORD(view.bvh.instances, i, BvhInstance, world_to_object[5]),
+                           RECORD(view.bvh.instances, i, BvhInstance, world_to_object[6]));
+    const real3 r2 = make3(RECORD(view.bvh.instances, i, BvhInstance, world_to_object[8]),
+                           RECORD(view.bvh.instances, i, BvhInstance, world_to_object[9]),
+                           RECORD(view.bvh.instances, i, BvhInstance, world_to_object[10]));
+    const real3 world = normalize3(madd3(r2, n.z, madd3(r1, n.y, scale3(r0, n.x))));
+    return choose(placed, world, n);
+}
+#else
+INLINE real3 instance_normal(SceneView view, natural instance, real3 n) {
+    return n;
+}
+#endif
+
+#if ONDE_NORMAL_MAPS
+// The normal told by the material's normal map (glTF 2.0, section 3.9.3), or n where it has none.
+INLINE real3 mapped_normal(SceneView view, Hits hit, natural record, natural material, real2 uv,
+                           real3 n) {
+    const natural texture =
+        RECORD_NATURAL(view.materials, material, MaterialRecord, normal_texture);
+    const mask present = texture != NO_INDEX;
+    if (!mask_bits(present)) return n;
+    const real scale = RECORD(view.materials, material, MaterialRecord, normal_scale);
+    real3 m = texture_data(view, texture, uv);
+    m = make3(fma(m.x, (real)(2.0f), (real)(-1.0f)) * scale,
+              fma(m.y, (real)(2.0f), (real)(-1.0f)) * scale, fma(m.z, (real)(2.0f), (real)(-1.0f)));
+    const natural word = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, tangent);
+    const real sign = choose((word & 1u) != 0u, (real)(-1.0f), (real)(1.0f));
+    real3 tangent = instance_normal(view, hit.instance, decode_octahedral(word & ~1u));
+    tangent = madd3(n, -dot3(n, tangent), tangent);
+    const real across = length3(tangent);
+    const real3 t = scale3(tangent, 1.0f / max_real(across, (real)(1e-20f)));
+    const real3 b = scale3(cross3(n, t), sign);
+    const real3 bent = madd3(n, m.z, madd3(b, m.y, scale3(t, m.x)));
+    const mask usable = present & (across > 1e-4f) & (dot3(bent, bent) > 1e-8f);
+    return choose(usable, normalize3(choose(usable, bent, n)), n);
+}
+#else
+INLINE real3 mapped_normal(SceneView view, Hits hit, natural record, natural material, real2 uv,
+                           real3 n) {
+    return n;
+}
+#endif
+
+// The surface at the hits of `lanes`; other lanes hold the first primitive's.
+INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hit, mask lanes) {
+    const natural record = choose(lanes, hit.primitive, (natural)(0u));
+    hit.instance = choose(lanes, hit.instance, (natural)(BVH_NONE));
+    const real u = choose(lanes, hit.u, (real)(0.0f)), v = choose(lanes, hit.v, (real)(0.0f));
+    const real w = 1.0f - u - v;
+    Surface s;
+    s.position = madd3(direction, hit.t, origin);
+    const natural word = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, material);
+    s.material = word & ~SURFACE_SPHERE;
+    s.light = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, light);
+
+    real3 geometric = RECORD3(view.surfaces, record, SurfaceRecord, geometric);
+    const real3 n0 =
+        decode_octahedral(RECORD_NATURAL(view.surfaces, record, SurfaceRecord, normal[0]));
+    const real3 n1 =
+        decode_octahedral(RECORD_NATURAL(view.surfaces, record, SurfaceRecord, normal[1]));
+    const real3 n2 =
+        decode_octahedral(RECORD_NATURAL(view.surfaces, record, SurfaceRecord, normal[2]));
+    real3 normal = normalize3(madd3(n2, v, madd3(n1, u, scale3(n0, w))));
+    s.uv = make2(RECORD(view.surfaces, record, SurfaceRecord, uv[4]) * v, (real)(0.0f));
+    s.uv.x = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[2]), u, s.uv.x);
+    s.uv.x = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[0]), w, s.uv.x);
+    s.uv.y = RECORD(view.surfaces, record, SurfaceRecord, uv[5]) * v;
+    s.uv.y = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[3]), u, s.uv.y);
+    s.uv.y = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[1]), w, s.uv.y);
+#if ONDE_SPHERES
+    const mask sphere = (word & SURFACE_SPHERE) != 0u;
+    if_any(sphere)
+    {
+        const real3 outward = normalize3(sub3(s.position, geometric)); // centre, for a sphere
+        geometric = choose(sphere, outward, geometric);
+        normal = choose(sphere, outward, normal);
+        s.position =
+            choose(sphere,
+                   madd3(outward, s.uv.x, RECORD3(view.surfaces, record, SurfaceRecord, geometric)),
+                   s.position);
+    }
+#endif
+    geometric = instance_normal(view, hit.instance, geometric);
+    normal = instance_normal(view, hit.instance, normal);
+    normal = mapped_normal(view, hit, record, s.material, s.uv, normal);
+
+    s.front = dot3(geometric, direction) < 0.0f;
+    s.geometric = choose(s.front, geometric, negate3(geometric));
+    normal = choose(dot3(normal, s.geometric) < 0.0f, negate3(normal), normal);
+    const mask grazing = !(dot3(normal, direction) < -1e-3f); // NaN falls here too
+    s.normal = choose(grazing, s.geometric, normal);
+    return s;
+}
+
+#endif

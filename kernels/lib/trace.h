@@ -1,0 +1,109 @@
+// Rays of several lanes against the scene: one traversal per live lane, or one packet of 16.
+#ifndef ONDE_LIB_TRACE_H
+#define ONDE_LIB_TRACE_H
+
+#include "lib/surface.h"
+
+// Whether primary rays go through the tree as packets of 16; needs ONDE_WIDTH 16.
+#ifndef ONDE_PRIMARY_PACKETS
+    #define ONDE_PRIMARY_PACKETS 0
+#endif
+
+// Rays, lane by lane, as the scalar traversal wants them.
+typedef struct {
+    float origin_x[ONDE_WIDTH], origin_y[ONDE_WIDTH], origin_z[ONDE_WIDTH];
+    float direction_x[ONDE_WIDTH], direction_y[ONDE_WIDTH], direction_z[ONDE_WIDTH];
+} SpilledRays;
+
+INLINE void spill_rays(SpilledRays* rays, real3 origin, real3 direction) {
+    spill_real(rays->origin_x, origin.x);
+    spill_real(rays->origin_y, origin.y);
+    spill_real(rays->origin_z, origin.z);
+    spill_real(rays->direction_x, direction.x);
+    spill_real(rays->direction_y, direction.y);
+    spill_real(rays->direction_z, direction.z);
+}
+INLINE float3 spilled_origin(const SpilledRays* rays, uint k) {
+    return (float3)(rays->origin_x[k], rays->origin_y[k], rays->origin_z[k]);
+}
+INLINE float3 spilled_direction(const SpilledRays* rays, uint k) {
+    return (float3)(rays->direction_x[k], rays->direction_y[k], rays->direction_z[k]);
+}
+
+#define RAY_INFINITY 1e30f
+
+// Closest hits of the lanes in `bits`; the other lanes miss.
+INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits) {
+    SpilledRays rays;
+    spill_rays(&rays, origin, direction);
+    float t[ONDE_WIDTH], u[ONDE_WIDTH], v[ONDE_WIDTH];
+    float primitive[ONDE_WIDTH], instance[ONDE_WIDTH];
+    const real nothing = as_real((natural)(BVH_NONE));
+    spill_real(primitive, nothing);
+    spill_real(instance, nothing);
+    for (; bits; bits &= bits - 1) {
+        const uint k = lowest_bit(bits);
+        const Hit hit = bvh_closest(bvh, spilled_origin(&rays, k), 0.0f,
+                                    spilled_direction(&rays, k), RAY_INFINITY);
+        t[k] = hit.t;
+        u[k] = hit.u;
+        v[k] = hit.v;
+        primitive[k] = as_float(hit.primitive);
+        instance[k] = as_float(hit.instance);
+    }
+    Hits hits;
+    hits.t = unspill_real(t);
+    hits.u = unspill_real(u);
+    hits.v = unspill_real(v);
+    hits.primitive = as_natural(unspill_real(primitive));
+    hits.instance = as_natural(unspill_real(instance));
+    return hits;
+}
+
+#if ONDE_PRIMARY_PACKETS
+// Sixteen rays at once, as the rows that bvh_closest_packet wants.
+INLINE Hits trace_packet(BvhView bvh, real3 origin, real3 direction) {
+    float rays[8][16], hit_rows[5][16];
+    spill_real(rays[0], origin.x);
+    spill_real(rays[1], origin.y);
+    spill_real(rays[2], origin.z);
+    spill_real(rays[3], (real)(0.0f));
+    spill_real(rays[4], direction.x);
+    spill_real(rays[5], direction.y);
+    spill_real(rays[6], direction.z);
+    spill_real(rays[7], (real)(RAY_INFINITY));
+    bvh_closest_packet(bvh, rays, hit_rows);
+    Hits hits;
+    hits.t = unspill_real(hit_rows[0]);
+    hits.u = unspill_real(hit_rows[1]);
+    hits.v = unspill_real(hit_rows[2]);
+    hits.primitive = as_natural(unspill_real(hit_rows[3]));
+    hits.instance = as_natural(unspill_real(hit_rows[4]));
+    return hits;
+}
+#endif
+
+// The closest hits of a bounce: full groups of primary rays as a packet, the rest ray by ray.
+INLINE Hits trace_bounce(BvhView bvh, real3 origin, real3 direction, uint bounce, uint bits) {
+#if ONDE_PRIMARY_PACKETS
+    if (bounce == 0 && bits == 0xffffu) return trace_packet(bvh, origin, direction);
+#endif
+    return trace_closest(bvh, origin, direction, bits);
+}
+
+// One bit per lane of `bits` whose way to `distance` is blocked.
+INLINE uint trace_occluded(BvhView bvh, real3 origin, real3 direction, real distance, uint bits) {
+    SpilledRays rays;
+    spill_rays(&rays, origin, direction);
+    float far[ONDE_WIDTH];
+    spill_real(far, distance);
+    uint blocked = 0;
+    for (; bits; bits &= bits - 1) {
+        const uint k = lowest_bit(bits);
+        if (bvh_occluded(bvh, spilled_origin(&rays, k), 0.0f, spilled_direction(&rays, k), far[k]))
+            blocked |= 1u << k;
+    }
+    return blocked;
+}
+
+#endif

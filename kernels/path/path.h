@@ -1,0 +1,162 @@
+// The path-tracing estimator: what happens at each vertex of a path. It knows nothing of queues,
+// waves or films; it returns what should happen next (light found, a shadow ray, the next ray),
+// and the engines store or loop on it.
+#ifndef ONDE_PATH_PATH_H
+#define ONDE_PATH_PATH_H
+
+#include "lib/camera.h"
+#include "lib/light.h"
+
+// A ray in flight and what it has gathered.
+typedef struct {
+    real3 origin, direction;
+    real3 throughput;
+    real pdf; // of the direction at the last vertex; 0 if light can't have been sampled there
+} Path;
+
+typedef struct {
+    real3 origin, direction;
+    real distance;  // 0: nothing to test
+    real3 radiance; // to add if nothing is in between
+} ShadowRay;
+
+typedef struct {
+    real3 emitted; // radiance found at this vertex
+    ShadowRay shadow;
+    Path next;
+    mask alive; // whether `next` goes on
+} PathVertex;
+
+INLINE Path path_start(__global const FrameRecord* frame, natural pixel, Sampler sampler) {
+    const CameraRay ray = camera_ray(frame, pixel, sampler);
+    Path path;
+    path.origin = ray.origin;
+    path.direction = ray.direction;
+    path.throughput = splat3((real)(1.0f));
+    path.pdf = (real)(0.0f);
+    return path;
+}
+
+// The weight of light found by following the BSDF, against sampling the light.
+INLINE real found_weight(real bsdf_pdf, real light_pdf) {
+    return choose(bsdf_pdf > 0.0f, power_heuristic(bsdf_pdf, light_pdf), (real)(1.0f));
+}
+
+INLINE real3 path_background(SceneView view, Path path) {
+    const real3 radiance = environment_radiance(view, path.direction);
+    const real weight = found_weight(path.pdf, environment_light_pdf(view, path.direction));
+    return mul3(path.throughput, scale3(radiance, weight));
+}
+
+INLINE real3 path_emission(SceneView view, Path path, real t, Surface s, mask lanes) {
+    const mask emits = lanes & (s.light != NO_INDEX) & material_emits(view, s.material, s.front);
+    if (!mask_bits(emits)) return zero3();
+    const real3 radiance = material_emission(view, s.material, s.uv);
+    const real weight = found_weight(path.pdf, light_pdf(view, path.origin, path.direction, t, s));
+    return choose(emits, mul3(path.throughput, scale3(radiance, weight)), zero3());
+}
+
+// The geometry of a vertex, shared by what happens there.
+typedef struct {
+    Surface surface;
+    Basis basis;
+    real3 wo; // local, above
+    real t;   // of the ray that came here, for the offset rule
+    Bsdf bsdf;
+} Vertex;
+
+// Where a ray leaves the vertex in world direction d.
+INLINE real3 vertex_exit(Vertex v, real3 d) {
+    const real3 side = choose(dot3(d, v.surface.geometric) > 0.0f, v.surface.geometric,
+                              negate3(v.surface.geometric));
+    return offset_origin(v.surface.position, side, v.t);
+}
+
+// Opaque surfaces let no light through, whatever their shading normals say; glass must have
+// reflection and refraction on the true sides too.
+INLINE mask true_side(Vertex v, real3 wi, real3 world) {
+    const real outward = dot3(world, v.surface.geometric);
+    return choose(wi.z > 0.0f, outward > 0.0f, (outward < 0.0f) & v.bsdf.dielectric);
+}
+
+INLINE ShadowRay path_shadow_ray(SceneView view, Path path, Vertex v, Sampler sampler, uint bounce,
+                                 real choice, mask lanes) {
+    const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT));
+    const LightSample light = light_sample(view, v.surface.position, choice, u, lanes);
+    const real3 wi = to_local(v.basis, light.direction);
+    const BsdfValue f = bsdf_eval(v.bsdf, v.wo, wi);
+    const real weight =
+        choose(light.delta, (real)(1.0f), power_heuristic(light.pdf, f.pdf)) / light.pdf;
+    ShadowRay ray;
+    ray.radiance = mul3(mul3(path.throughput, f.value), scale3(light.radiance, weight));
+    const mask useful = lanes & light.valid & true_side(v, wi, light.direction) &
+                        nonzero3(f.value) & nonzero3(light.radiance);
+    ray.origin = vertex_exit(v, light.direction);
+    ray.direction = light.direction;
+    ray.distance = choose(useful, light.distance * SHADOW_SHORTENING, (real)(0.0f));
+    return ray;
+}
+
+// Ends paths that carry little; the survivors carry more.
+INLINE mask path_roulette(Path* path, Sampler sampler, uint bounce, mask lanes) {
+    const real survival = clamp_real(max_component3(path->throughput), 0.05f, 0.95f);
+    const real u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_ROULETTE)).x;
+    path->throughput = scale3(path->throughput, 1.0f / survival);
+    return lanes & (u < survival);
+}
+
+// One vertex of the paths in `lanes`: `hit` is what their rays met. `bounce` counts from 0 at the
+// first surface.
+INLINE PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sampler, uint bounce,
+                              mask lanes) {
+    PathVertex result;
+    result.emitted = zero3();
+    result.shadow.origin = path.origin;
+    result.shadow.direction = path.direction;
+    result.shadow.distance = (real)(0.0f);
+    result.shadow.radiance = zero3();
+    result.next = path;
+    const mask found = lanes & (hit.primitive != BVH_NONE);
+    const mask missed = lanes & !found;
+    result.alive = found;
+#if ONDE_ENVIRONMENT
+    if_any(missed)
+    { result.emitted = choose(missed, path_background(view, path), result.emitted); }
+#endif
+    if (!mask_bits(found)) return result;
+
+    Vertex v;
+    v.surface = surface_at(view, path.origin, path.direction, hit, found);
+    v.t = choose(found, hit.t, (real)(0.0f));
+    const real3 emitted = path_emission(view, path, v.t, v.surface, found);
+    result.emitted = choose(found, emitted, result.emitted);
+    if (bounce + 1 >= view.frame->max_depth) {
+        result.alive = found & !found;
+        return result;
+    }
+
+    v.basis = make_basis(v.surface.normal);
+    v.wo = to_local(v.basis, negate3(path.direction));
+    v.wo.z = max_real(v.wo.z, (real)(1e-4f));
+    v.bsdf = material_bsdf(view, v.surface, v.wo.z);
+    const real2 choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE));
+    if (view.frame->light_count > 0) {
+        result.shadow = path_shadow_ray(view, path, v, sampler, bounce, choice.x, found);
+    }
+
+    const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_DIRECTION));
+    const BsdfSample s = bsdf_sample(v.bsdf, v.wo, choice.y, u);
+    const real3 direction = normalize3(to_world(v.basis, s.wi));
+    result.next.origin = vertex_exit(v, direction);
+    result.next.direction = direction;
+    result.next.throughput = mul3(path.throughput, s.weight);
+    result.next.pdf = choose(s.delta, (real)(0.0f), s.pdf);
+    result.alive =
+        found & s.valid & true_side(v, s.wi, direction) & nonzero3(result.next.throughput);
+    if (bounce >= view.frame->roulette_start) {
+        result.alive = path_roulette(&result.next, sampler, bounce, result.alive);
+    }
+    return result;
+}
+
+#endif

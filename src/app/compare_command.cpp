@@ -1,0 +1,85 @@
+#include "app/compare_command.h"
+
+#include "core/error.h"
+#include "image/compare.h"
+#include "image/image_io.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace onde {
+
+namespace {
+
+struct CompareOptions {
+    std::filesystem::path a;
+    std::filesystem::path b;
+    std::filesystem::path difference; ///< empty: none wanted
+    bool json = false;
+};
+
+void print_table(const Metrics& m) {
+    fmt::print("mean A       {:.6g}\n", m.mean_a);
+    fmt::print("mean B       {:.6g}\n", m.mean_b);
+    fmt::print("RMSE         {:.6g}\n", m.rmse);
+    fmt::print("relative MSE {:.6g}\n", m.relative_mse);
+    fmt::print("PSNR         {:.2f} dB (peak 1)\n", m.psnr);
+    fmt::print("max error    {:.6g} at x {} y {} channel {}: A {:.6g}, B {:.6g}\n", m.max_error,
+               m.worst.x, m.worst.y, m.worst.channel, m.worst.a, m.worst.b);
+    fmt::print("pixels       {} compared, {} not finite in A, {} not finite in B\n", m.pixels,
+               m.non_finite_a, m.non_finite_b);
+}
+
+/// JSON has no infinity and no NaN: those become null.
+std::string number(double value) {
+    return std::isfinite(value) ? fmt::format("{:.9g}", value) : "null";
+}
+
+void print_json(const Metrics& m) {
+    fmt::print(
+        "{{\"mean_a\": {}, \"mean_b\": {}, \"rmse\": {}, \"relative_mse\": {}, \"psnr\": {}, "
+        "\"max_error\": {}, ",
+        number(m.mean_a), number(m.mean_b), number(m.rmse), number(m.relative_mse), number(m.psnr),
+        number(m.max_error));
+    fmt::print("\"worst\": {{\"x\": {}, \"y\": {}, \"channel\": {}, \"a\": {}, \"b\": {}}}, ",
+               m.worst.x, m.worst.y, m.worst.channel, number(m.worst.a), number(m.worst.b));
+    fmt::print("\"pixels\": {}, \"non_finite_a\": {}, \"non_finite_b\": {}}}\n", m.pixels,
+               m.non_finite_a, m.non_finite_b);
+}
+
+void write_difference(const std::filesystem::path& path, const Image& difference) {
+    if (path.extension() == ".exr")
+        write_exr(path, difference, {});
+    else if (path.extension() == ".png")
+        write_png(path, difference, {}, {});
+    else
+        throw InputError("{}: a difference is written as .exr or .png; change the extension",
+                         path.string());
+}
+
+void run_compare(const CompareOptions& options) {
+    const Image a = read_image(options.a), b = read_image(options.b);
+    const Metrics metrics = compare(a, b);
+    if (!options.difference.empty()) write_difference(options.difference, difference_image(a, b));
+    options.json ? print_json(metrics) : print_table(metrics);
+}
+
+} // namespace
+
+void add_compare_command(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("compare", "Measure how far picture A is from picture B");
+    const auto options = std::make_shared<CompareOptions>(); // CLI11 copies its callbacks
+    command->add_option("A", options->a, "The picture to judge")->required();
+    command->add_option("B", options->b, "The reference")->required();
+    command->add_option("--diff", options->difference, "Write |A - B| to this .exr or .png");
+    command->add_flag("--json", options->json, "Print the figures as one line of JSON");
+    command->callback([options] { run_compare(*options); });
+}
+
+} // namespace onde

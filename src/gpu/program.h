@@ -66,7 +66,8 @@ class Kernel {
 
     const std::string& name() const { return shape_.name; }
 
-    /// Sets one argument: a trivially copyable value or a Buffer.
+    /// Sets one argument: a trivially copyable value or a Buffer, which must live until the launch.
+    /// Throws DeviceError naming kernel and argument when the size does not fit.
     template <class T>
     void set(uint32_t index, const T& value);
     template <class T>

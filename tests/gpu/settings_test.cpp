@@ -1,0 +1,67 @@
+// How work is cut for a device.
+#include "gpu/settings.h"
+
+#include <catch2/catch.hpp>
+
+using namespace onde::gpu;
+using Catch::Matchers::Contains;
+
+namespace {
+
+DeviceFacts cpu(bool avx2, bool avx512) {
+    DeviceFacts facts;
+    facts.is_cpu = true;
+    facts.avx2 = avx2;
+    facts.avx512 = avx512;
+    return facts;
+}
+
+DeviceFacts graphics_card() {
+    DeviceFacts facts;
+    facts.is_gpu = true;
+    return facts;
+}
+
+} // namespace
+
+TEST_CASE("a CPU runs fused chunks of 256 paths in groups of one") {
+    const DeviceSettings settings = default_settings(cpu(true, true));
+    CHECK(settings.wave_size == 65536);
+    CHECK(settings.chunk == 256);
+    CHECK(settings.local_size == 1);
+    CHECK(settings.queue == QueueKind::chunk_local);
+    CHECK(settings.launch == Launch::fused);
+    CHECK(settings.primary_packets);
+}
+
+TEST_CASE("a CPU shades 16 lanes with AVX-512 and 8 without") {
+    CHECK(default_settings(cpu(true, true)).width == 16);
+    CHECK(default_settings(cpu(true, false)).width == 8);
+    CHECK(default_settings(cpu(false, false)).width == 8);
+}
+
+TEST_CASE("a GPU runs separate stages, one path per work item, over a large wave") {
+    const DeviceSettings settings = default_settings(graphics_card());
+    CHECK(settings.width == 1);
+    CHECK(settings.wave_size == 1u << 20);
+    CHECK(settings.chunk == 1);
+    CHECK(settings.local_size == 64);
+    CHECK(settings.queue == QueueKind::global);
+    CHECK(settings.launch == Launch::staged);
+    CHECK_FALSE(settings.primary_packets);
+}
+
+TEST_CASE("chunks are whole groups of lanes and waves are whole chunks") {
+    for (const DeviceFacts& facts : {cpu(true, true), cpu(false, false), graphics_card()}) {
+        const DeviceSettings settings = default_settings(facts);
+        CHECK(settings.chunk % settings.width == 0);
+        CHECK(settings.wave_size % (settings.chunk * settings.local_size) == 0);
+    }
+}
+
+TEST_CASE("settings describe themselves in one line") {
+    CHECK_THAT(describe(default_settings(cpu(true, true))),
+               Contains("16 lanes") && Contains("waves of 65536 paths") && Contains("fused") &&
+                   !Contains("\n"));
+    CHECK_THAT(describe(default_settings(graphics_card())), Contains("1 lane,"));
+}

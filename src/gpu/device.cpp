@@ -202,9 +202,7 @@ void Device::finish() const {
 
 Device open_device(std::string_view selector) {
     const std::vector<Platform> platforms = open_platforms();
-    if (platforms.empty())
-        throw DeviceError("no OpenCL platform is installed; install a driver for your GPU, or for "
-                          "the CPU the Debian package pocl-opencl-icd");
+    if (platforms.empty()) throw DeviceError(NO_PLATFORM);
     const std::vector<PlatformReport> all = reports(platforms);
     const std::optional<size_t> index = choose_device(all, selector);
     if (!index && selector.empty())

@@ -32,6 +32,11 @@ struct PlatformReport {
     std::string problem; ///< empty, or why the platform can't be used
 };
 
+/// What to tell a user whose machine has no OpenCL platform at all.
+inline constexpr const char* NO_PLATFORM =
+    "no OpenCL platform is installed; install a driver for your GPU, or for the CPU the Debian "
+    "package pocl-opencl-icd";
+
 /// Every platform and device of the ICD loader, in the loader's order. A platform that fails is
 /// listed with its problem. Never throws for a broken platform.
 std::vector<PlatformReport> list_platforms();

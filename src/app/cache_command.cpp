@@ -1,0 +1,39 @@
+#include "app/cache_command.h"
+
+#include "gpu/program.h"
+
+#include <fmt/format.h>
+
+namespace onde::app {
+namespace {
+
+std::string folder_name(const gpu::ProgramCache& cache) {
+    return cache.folder().empty() ? "nowhere (set ONDE_CACHE_DIR)" : cache.folder().string();
+}
+
+void list() {
+    const gpu::ProgramCache cache;
+    const auto entries = cache.list();
+    uint64_t bytes = 0;
+    for (const auto& entry : entries) {
+        fmt::print("{} {:>10} bytes\n", entry.key, entry.bytes);
+        bytes += entry.bytes;
+    }
+    fmt::print("{} programs, {} bytes, in {}\n", entries.size(), bytes, folder_name(cache));
+}
+
+void clear() {
+    const gpu::ProgramCache cache;
+    fmt::print("{} programs removed from {}\n", cache.clear(), folder_name(cache));
+}
+
+} // namespace
+
+void add_cache_command(CLI::App& app) {
+    CLI::App* cache = app.add_subcommand("cache", "The compiled kernels kept on disk");
+    cache->require_subcommand(1);
+    cache->add_subcommand("list", "List the entries, their sizes and the folder")->callback(list);
+    cache->add_subcommand("clear", "Remove all entries")->callback(clear);
+}
+
+} // namespace onde::app

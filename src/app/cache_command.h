@@ -1,0 +1,11 @@
+// `onde cache`: the compiled kernels kept on disk.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace onde::app {
+
+/// Adds the subcommand with its own subcommands: list and clear.
+void add_cache_command(CLI::App& app);
+
+} // namespace onde::app

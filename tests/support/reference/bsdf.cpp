@@ -1,0 +1,155 @@
+#include "support/reference/bsdf.h"
+
+#include "support/reference/microfacet.h"
+
+namespace onde::reference {
+namespace {
+
+constexpr float SMOOTH_ALPHA = 1e-3f;
+constexpr float MIN_COSINE = 1e-3f; ///< of the viewer to the shading normal
+
+glm::vec3 facing_normal(const glm::vec3& geometric, const glm::vec3& shading, const glm::vec3& wo) {
+    const glm::vec3 n = glm::dot(shading, geometric) < 0.0f ? -shading : shading;
+    return glm::dot(n, wo) < MIN_COSINE ? geometric : n;
+}
+
+glm::vec3 mirrored(const glm::vec3& wo, const glm::vec3& h) {
+    return 2.0f * glm::dot(wo, h) * h - wo;
+}
+
+/// Snell's law about h, on wo's side; eta is the index beyond over the index here. Not to be
+/// called under total reflection.
+glm::vec3 refracted(const glm::vec3& wo, const glm::vec3& h, float eta) {
+    const float cosine = glm::dot(wo, h);
+    const float beyond = safe_sqrt(1.0f - (1.0f - cosine * cosine) / (eta * eta));
+    return (cosine / eta - beyond) * h - wo / eta;
+}
+
+} // namespace
+
+Bsdf::Bsdf(const MaterialRecord& material, const glm::vec3& geometric_normal,
+           const glm::vec3& normal, const glm::vec3& wo)
+    : geometric_normal_(glm::dot(geometric_normal, wo) < 0.0f ? -geometric_normal
+                                                              : geometric_normal),
+      frame_(facing_normal(geometric_normal_, normal, wo)), wo_(frame_.to_local(wo)),
+      alpha_(material.roughness * material.roughness), delta_(alpha_ < SMOOTH_ALPHA),
+      transparent_(material.kind == MaterialKind::dielectric) {
+    if (!transparent_) {
+        set_opaque(material);
+        return;
+    }
+    const bool entering = glm::dot(geometric_normal, wo) >= 0.0f;
+    diffuse_ = material.base_color;
+    eta_ = entering ? material.ior : 1.0f / material.ior;
+    // Equal indices do not refract, however rough the boundary.
+    delta_ = delta_ || std::abs(eta_ - 1.0f) < 1e-4f;
+}
+
+void Bsdf::set_opaque(const MaterialRecord& material) {
+    const glm::vec3& color = material.base_color;
+    if (material.kind == MaterialKind::diffuse) {
+        diffuse_ = color;
+        delta_ = false;
+        return;
+    }
+    f90_ = 1.0f;
+    f0_ = color;
+    specular_pmf_ = 1.0f;
+    if (material.kind == MaterialKind::conductor) return;
+    diffuse_ = color * (1.0f - material.metallic);
+    f0_ = glm::mix(glm::vec3(0.04f), color, material.metallic);
+    if (diffuse_ == glm::vec3(0.0f)) return;
+    const float fresnel = luminance(f0_ + (1.0f - f0_) * schlick_weight(wo_.z));
+    const float rest = luminance(diffuse_) * (1.0f - fresnel);
+    specular_pmf_ = glm::clamp(fresnel / (fresnel + rest), 0.1f, 0.9f);
+}
+
+bool Bsdf::same_side(const glm::vec3& wi, const glm::vec3& wi_local) const {
+    return (glm::dot(wi, geometric_normal_) > 0.0f) == (wi_local.z > 0.0f);
+}
+
+Scattering Bsdf::eval(const glm::vec3& wi) const {
+    const glm::vec3 local = frame_.to_local(wi);
+    if (!(wo_.z > 0.0f) || local.z == 0.0f || !same_side(wi, local)) return {};
+    return transparent_ ? eval_transparent(local) : eval_opaque(local);
+}
+
+Scattering Bsdf::eval_opaque(const glm::vec3& wi) const {
+    if (wi.z <= 0.0f) return {};
+    const glm::vec3 h = glm::normalize(wi + wo_);
+    const glm::vec3 fresnel = f0_ + (f90_ - f0_) * schlick_weight(glm::dot(wo_, h));
+    Scattering s;
+    if (specular_pmf_ < 1.0f) {
+        s.value = (1.0f - fresnel) * diffuse_ * (wi.z / PI);
+        s.pdf = (1.0f - specular_pmf_) * wi.z / PI;
+    }
+    if (specular_pmf_ > 0.0f && !delta_) {
+        const float d = ggx_distribution(h, alpha_);
+        s.value += fresnel * (d * smith_visibility(wi.z, wo_.z, alpha_) * wi.z);
+        s.pdf += specular_pmf_ * smith_g1(wo_.z, alpha_) * d / (4.0f * wo_.z);
+    }
+    return s;
+}
+
+// Walter et al. 2007, equations 20 and 21, sampled by visible normals. The masking is the
+// height-correlated one on both sides, as in pbrt-v4.
+Scattering Bsdf::eval_transparent(const glm::vec3& wi) const {
+    if (delta_) return {};
+    const bool reflects = wi.z > 0.0f;
+    glm::vec3 h = glm::normalize(reflects ? wi + wo_ : wo_ + eta_ * wi);
+    if (h.z < 0.0f) h = -h;
+    const float o_h = glm::dot(wo_, h), i_h = glm::dot(wi, h);
+    if (o_h <= 0.0f || (i_h > 0.0f) != reflects) return {};
+    const float reflectance = fresnel_dielectric(o_h, eta_);
+    const float visible = visible_normal_pdf(wo_, h, alpha_);
+    const float lambda_o = smith_lambda(wo_.z, alpha_), lambda_i = smith_lambda(wi.z, alpha_);
+    const float shadowing = (1.0f + lambda_o) / (1.0f + lambda_o + lambda_i); // G2 / G1
+    if (reflects) {
+        const float pdf = reflectance * visible / (4.0f * o_h);
+        return {glm::vec3(pdf * shadowing), pdf};
+    }
+    const float denominator = o_h + eta_ * i_h;
+    const float jacobian = eta_ * eta_ * std::abs(i_h) / (denominator * denominator);
+    const float pdf = (1.0f - reflectance) * visible * jacobian;
+    return {diffuse_ * (pdf * shadowing / (eta_ * eta_)), pdf};
+}
+
+std::optional<ScatteringSample> Bsdf::sample(Random& random) const {
+    if (!(wo_.z > 0.0f)) return std::nullopt;
+    if (transparent_) return sample_transparent(random);
+    const bool specular = random.next() < specular_pmf_;
+    if (!specular || !delta_) return smooth_sample(sample_opaque(random, specular));
+    const glm::vec3 wi(-wo_.x, -wo_.y, wo_.z);
+    const glm::vec3 direction = frame_.to_world(wi);
+    if (!same_side(direction, wi)) return std::nullopt;
+    const glm::vec3 fresnel = f0_ + (1.0f - f0_) * schlick_weight(wo_.z);
+    return ScatteringSample{direction, fresnel / specular_pmf_, 0.0f, true};
+}
+
+glm::vec3 Bsdf::sample_opaque(Random& random, bool specular) const {
+    const glm::vec2 u = random.next2();
+    if (!specular) return sample_cosine_hemisphere(u);
+    return mirrored(wo_, sample_visible_normal(wo_, alpha_, u));
+}
+
+std::optional<ScatteringSample> Bsdf::smooth_sample(const glm::vec3& wi) const {
+    const glm::vec3 direction = glm::normalize(frame_.to_world(wi));
+    const Scattering s = eval(direction);
+    if (!(s.pdf > 0.0f)) return std::nullopt;
+    return ScatteringSample{direction, s.value / s.pdf, s.pdf, false};
+}
+
+std::optional<ScatteringSample> Bsdf::sample_transparent(Random& random) const {
+    const glm::vec3 h =
+        delta_ ? glm::vec3(0.0f, 0.0f, 1.0f) : sample_visible_normal(wo_, alpha_, random.next2());
+    const bool reflects = random.next() < fresnel_dielectric(glm::dot(wo_, h), eta_);
+    const glm::vec3 wi = reflects ? mirrored(wo_, h) : refracted(wo_, h, eta_);
+    if ((wi.z > 0.0f) != reflects) return std::nullopt;
+    if (!delta_) return smooth_sample(wi);
+    const glm::vec3 direction = glm::normalize(frame_.to_world(wi));
+    if (!same_side(direction, wi)) return std::nullopt;
+    const glm::vec3 weight = reflects ? glm::vec3(1.0f) : diffuse_ / (eta_ * eta_);
+    return ScatteringSample{direction, weight, 0.0f, true};
+}
+
+} // namespace onde::reference

@@ -1,0 +1,147 @@
+// Each scattering function samples what its pdf and eval say.
+#include "support/reference/bsdf.h"
+#include "support/reference/microfacet.h"
+#include "support/reference/scenes.h"
+
+#include <catch2/catch.hpp>
+
+using namespace onde;
+using namespace onde::reference;
+
+namespace {
+
+constexpr glm::vec3 UP{0.0f, 0.0f, 1.0f};
+
+glm::vec3 toward(float cosine) {
+    return {safe_sqrt(1.0f - cosine * cosine), 0.0f, cosine};
+}
+
+struct Integrals {
+    double pdf = 0.0;   ///< or the fraction of samples that are not absorbed
+    double value = 0.0; ///< red
+};
+
+/// Midpoint rule over the sphere: what is scattered, and the density of all directions.
+Integrals by_quadrature(const Bsdf& bsdf) {
+    constexpr int ROWS = 1000, COLUMNS = 1000;
+    Integrals sum;
+    for (int i = 0; i < ROWS; ++i)
+        for (int j = 0; j < COLUMNS; ++j) {
+            const float z = 1.0f - 2.0f * (float(i) + 0.5f) / ROWS;
+            const Scattering s = bsdf.eval(direction_at(z, (float(j) + 0.5f) / COLUMNS));
+            sum.pdf += double(s.pdf) * 4.0 * double(PI) / (ROWS * COLUMNS);
+            sum.value += double(s.value.r) * 4.0 * double(PI) / (ROWS * COLUMNS);
+        }
+    return sum;
+}
+
+Integrals by_sampling(const Bsdf& bsdf) {
+    constexpr uint32_t COUNT = 200000;
+    Random random(7, 8, 9);
+    Integrals sum;
+    for (uint32_t i = 0; i < COUNT; ++i)
+        if (const auto s = bsdf.sample(random)) {
+            sum.pdf += 1.0 / COUNT;
+            sum.value += double(s->weight.r) / COUNT;
+        }
+    return sum;
+}
+
+Material mix(float metallic, float roughness) {
+    Material m = diffuse({0.8f, 0.6f, 0.3f});
+    m.kind = MaterialKind::metallic_roughness;
+    m.metallic = metallic;
+    m.roughness = roughness;
+    return m;
+}
+
+std::vector<Material> smooth_materials() {
+    return {diffuse(glm::vec3(0.8f)),
+            conductor(glm::vec3(0.9f), 0.4f),
+            conductor(glm::vec3(0.5f), 1.0f),
+            mix(0.0f, 0.5f),
+            mix(0.6f, 0.4f),
+            glass(1.5f, 0.5f),
+            glass(1.5f, 0.9f),
+            glass(0.7f, 0.6f)};
+}
+
+} // namespace
+
+TEST_CASE("samples are distributed as the pdf and weigh as the value says") {
+    for (const Material& material : smooth_materials())
+        for (const float cosine : {0.95f, 0.4f, -0.3f, -0.9f}) {
+            const Bsdf bsdf(MaterialRecord(material), UP, UP, toward(cosine));
+            const Integrals area = by_quadrature(bsdf), drawn = by_sampling(bsdf);
+            INFO("kind " << int(material.kind) << ", roughness " << material.roughness
+                         << ", cosine " << cosine);
+            CHECK(drawn.pdf == Approx(area.pdf).margin(0.006));
+            CHECK(drawn.value == Approx(area.value).epsilon(0.01).margin(0.004));
+            CHECK(area.pdf < 1.006);
+        }
+}
+
+TEST_CASE("reflection is reciprocal") {
+    const glm::vec3 a = glm::normalize(glm::vec3(0.3f, 0.5f, 0.6f));
+    const glm::vec3 b = glm::normalize(glm::vec3(-0.7f, 0.2f, 0.3f));
+    for (const Material& material : smooth_materials()) {
+        const Bsdf from_a(MaterialRecord(material), UP, UP, a);
+        const Bsdf from_b(MaterialRecord(material), UP, UP, b);
+        CHECK(from_a.eval(b).value.r / b.z == Approx(from_b.eval(a).value.r / a.z).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("refraction is reciprocal but for the square of the index") {
+    const glm::vec3 a = glm::normalize(glm::vec3(0.3f, 0.1f, 0.8f));
+    const glm::vec3 b = glm::normalize(glm::vec3(-0.25f, 0.0f, -0.9f));
+    const MaterialRecord material(glass(1.5f, 0.6f));
+    const float into = Bsdf(material, UP, UP, a).eval(b).value.r / std::abs(b.z);
+    const float out = Bsdf(material, UP, UP, b).eval(a).value.r / std::abs(a.z);
+    REQUIRE(into > 0.0f);
+    CHECK(into * 1.5f * 1.5f == Approx(out).epsilon(1e-4));
+}
+
+TEST_CASE("smooth glass refracts by Snell's law and reflects by Fresnel's") {
+    const Bsdf bsdf(MaterialRecord(glass(1.5f, 0.0f)), UP, UP, toward(0.6f));
+    Random random(1, 1, 1);
+    double reflected = 0.0;
+    constexpr uint32_t COUNT = 100000;
+    for (uint32_t i = 0; i < COUNT; ++i) {
+        const auto s = bsdf.sample(random);
+        REQUIRE((s && s->specular));
+        if (s->direction.z > 0.0f)
+            reflected += 1.0 / COUNT;
+        else
+            CHECK(-s->direction.x * 1.5f == Approx(0.8f));
+    }
+    // r_s = (0.6 - 1.5 c) / (0.6 + 1.5 c), r_p = (0.9 - c) / (0.9 + c), c = sqrt(1 - 0.64 / 2.25).
+    const double c = std::sqrt(1.0 - 0.64 / 2.25);
+    const double s = (0.6 - 1.5 * c) / (0.6 + 1.5 * c), p = (0.9 - c) / (0.9 + c);
+    CHECK(reflected == Approx(0.5 * (s * s + p * p)).margin(0.004));
+}
+
+TEST_CASE("nothing crosses an opaque surface by either of its normals") {
+    const glm::vec3 shading = glm::normalize(glm::vec3(0.5f, 0.0f, 1.0f));
+    const glm::vec3 below = glm::normalize(glm::vec3(0.9f, 0.0f, -0.1f));
+    for (const Material& material : {diffuse(glm::vec3(0.8f)), mix(0.5f, 0.6f)}) {
+        const Bsdf bsdf(MaterialRecord(material), UP, shading, toward(0.8f));
+        REQUIRE(glm::dot(below, shading) > 0.0f);
+        CHECK(bsdf.eval(below).value.r == 0.0f);
+        Random random(2, 2, 2);
+        for (uint32_t i = 0; i < 10000; ++i)
+            if (const auto s = bsdf.sample(random)) REQUIRE(s->direction.z > 0.0f);
+    }
+}
+
+TEST_CASE("the distribution of microfacets projects to one") {
+    for (const float alpha : {0.05f, 0.3f, 1.0f}) {
+        double sum = 0.0;
+        constexpr int STEPS = 100000;
+        for (int i = 0; i < STEPS; ++i) {
+            const float z = (float(i) + 0.5f) / STEPS;
+            sum += double(ggx_distribution(direction_at(z, 0.3f), alpha) * z) * 2.0 * double(PI) /
+                   STEPS;
+        }
+        CHECK(sum == Approx(1.0).epsilon(1e-3));
+    }
+}

@@ -9,14 +9,16 @@ namespace onde {
 
 /// Loads .gltf, .glb, .obj or .toml (by extension) and completes it: a scene without a camera is
 /// framed, one without any light gets a neutral studio environment, and `notes` says so.
-/// Every number is checked; the result satisfies check_scene(). Throws InputError with one sentence.
+/// Every number is checked; the result satisfies check_scene(). Throws InputError with one
+/// sentence.
 Scene load_scene(const std::filesystem::path& path);
 
 /// Throws InputError unless every index is in range, every number finite, every range of scene.h
 /// respected and there is something to see.
 void check_scene(const Scene& scene);
 
-/// Adds a camera that sees the whole scene if there is none, and an environment if nothing emits.
+/// Adds a camera that sees the whole scene if there is none, and a studio environment if nothing
+/// emits but, at most, small details in emission textures. Indices must be in range.
 void complete_scene(Scene& scene);
 
 /// World-space bounding box of all geometry; {0,0} for an empty scene.
@@ -25,7 +27,13 @@ struct SceneBounds {
 };
 SceneBounds scene_bounds(const Scene& scene);
 
-/// A hash of everything that can change a pixel, stable from run to run, as 16 hex digits.
+/// An environment from an equirectangular picture: its pixels times `scale`, turned about +Y.
+/// Pixels that are negative or not finite become 0. Throws InputError as read_image does.
+Environment load_environment(const std::filesystem::path& path, glm::vec3 scale,
+                             float rotation_degrees);
+
+/// A hash of everything in the scene that can change a pixel, stable from run to run, as 16 hex
+/// digits. Names, notes and the settings, which the command line overrides, are left out.
 std::string scene_hash(const Scene& scene);
 
 } // namespace onde

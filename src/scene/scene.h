@@ -30,9 +30,9 @@ struct Texture {
 inline constexpr int32_t NO_TEXTURE = -1;
 
 enum class MaterialKind : uint32_t {
-    diffuse,            ///< Lambert: base_color is the albedo
-    conductor,          ///< GGX with Schlick Fresnel: base_color is the reflectance at normal incidence
-    dielectric,         ///< GGX glass: exact Fresnel from ior, base_color tints what goes through
+    diffuse,    ///< Lambert: base_color is the albedo
+    conductor,  ///< GGX with Schlick Fresnel: base_color is the reflectance at normal incidence
+    dielectric, ///< GGX glass: exact Fresnel from ior, base_color tints what goes through
     metallic_roughness, ///< the glTF 2.0 mix (appendix B of its specification)
 };
 
@@ -43,9 +43,9 @@ struct Material {
     std::string name;
     MaterialKind kind = MaterialKind::diffuse;
     glm::vec3 base_color{0.8f};
-    float roughness = 1.0f; ///< in [0, 1]
-    float metallic = 0.0f;  ///< in [0, 1]; metallic_roughness only
-    float ior = 1.5f;       ///< interior over exterior index, > 0; dielectric only
+    float roughness = 1.0f;   ///< in [0, 1]
+    float metallic = 0.0f;    ///< in [0, 1]; metallic_roughness only
+    float ior = 1.5f;         ///< interior over exterior index, > 0; dielectric only
     glm::vec3 emission{0.0f}; ///< radiance, from the front face only (both faces if two_sided)
     bool two_sided = true;    ///< whether emission leaves the back face as well
     int32_t base_color_texture = NO_TEXTURE;

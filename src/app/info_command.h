@@ -1,0 +1,29 @@
+// `onde info SCENE`: what a scene file contains, and what was mapped, ignored or added.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace onde::app {
+
+/// Counts of a scene. Bytes are those of the host's vectors, before anything is packed.
+struct SceneSummary {
+    uint64_t unique_triangles = 0;    ///< stored
+    uint64_t instanced_triangles = 0; ///< seen by a ray: each instance counts
+    uint64_t emissive_triangles = 0;  ///< of those seen
+    std::vector<std::pair<std::string, size_t>> materials_by_kind;
+    uint64_t texture_bytes = 0;
+    uint64_t host_bytes = 0;
+};
+
+SceneSummary summarize(const Scene& scene);
+
+/// Adds the subcommand; it prints to standard output and throws InputError.
+void add_info_command(CLI::App& app);
+
+} // namespace onde::app

@@ -1,0 +1,40 @@
+#include "scene/load.h"
+
+#include "core/error.h"
+#include "scene/loaders.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace onde {
+namespace fs = std::filesystem;
+
+static std::string lower_extension(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    return extension;
+}
+
+Scene load_part(const fs::path& path, const std::vector<fs::path>& ancestors) {
+    const std::string extension = lower_extension(path);
+    if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
+    if (extension == ".obj") return load_obj(path);
+    if (extension == ".toml") return load_toml(path, ancestors);
+    throw InputError("{}: '{}' is not a scene format of ours; give a .gltf, .glb, .obj or .toml",
+                     path.string(), extension);
+}
+
+Scene load_scene(const fs::path& path) {
+    Scene scene = load_part(path);
+    try {
+        check_scene(scene);
+        complete_scene(scene);
+        check_scene(scene); // a framing camera of a scene near the end of float's range
+    } catch (const InputError& error) {
+        throw InputError("{}: {}", path.string(), error.what());
+    }
+    return scene;
+}
+
+} // namespace onde

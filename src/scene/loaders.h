@@ -1,0 +1,23 @@
+// One loader per format. Each returns what the file says and nothing more: load.cpp completes and
+// checks. Throw InputError with one sentence that names the file and the culprit.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace onde {
+
+Scene load_gltf(const std::filesystem::path& path); ///< .gltf and .glb
+Scene load_obj(const std::filesystem::path& path);
+
+/// `ancestors` are the canonical paths of the scene files that include this one, outermost first.
+Scene load_toml(const std::filesystem::path& path,
+                const std::vector<std::filesystem::path>& ancestors = {});
+
+/// The loader for the path's extension; the result is neither completed nor checked.
+Scene load_part(const std::filesystem::path& path,
+                const std::vector<std::filesystem::path>& ancestors = {});
+
+} // namespace onde

@@ -1,0 +1,122 @@
+#include "scene/merge.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace onde {
+
+static constexpr size_t MAX_PLACED = size_t(1) << 26;
+
+template <class T>
+static uint32_t move_to_end(std::vector<T>& whole, std::vector<T>& part) {
+    const size_t first = whole.size();
+    whole.insert(whole.end(), std::make_move_iterator(part.begin()),
+                 std::make_move_iterator(part.end()));
+    part.clear();
+    return uint32_t(first);
+}
+
+static void shift_textures(Material& material, uint32_t offset) {
+    for (int32_t* texture : {&material.base_color_texture, &material.metallic_roughness_texture,
+                             &material.emission_texture, &material.normal_texture})
+        if (*texture != NO_TEXTURE) *texture += int32_t(offset);
+}
+
+AssetOffsets append_assets(Scene& whole, Scene& part) {
+    const AssetOffsets offsets{.textures = move_to_end(whole.textures, part.textures),
+                               .materials = move_to_end(whole.materials, part.materials),
+                               .meshes = move_to_end(whole.meshes, part.meshes)};
+    for (size_t i = offsets.materials; i < whole.materials.size(); ++i)
+        shift_textures(whole.materials[i], offsets.textures);
+    for (size_t i = offsets.meshes; i < whole.meshes.size(); ++i)
+        for (uint32_t& material : whole.meshes[i].materials) material += offsets.materials;
+    return offsets;
+}
+
+static glm::vec3 transform_point(const glm::mat4& transform, const glm::vec3& point) {
+    return glm::vec3(transform * glm::vec4(point, 1.0f));
+}
+
+/// The factor of an even scale; throws for any other.
+static float even_scale(const glm::mat4& transform) {
+    const glm::vec3 x(transform[0]), y(transform[1]), z(transform[2]);
+    const float scale = glm::length(x), tolerance = 1e-3f * scale;
+    const bool same_length = std::abs(glm::length(y) - scale) <= tolerance &&
+                             std::abs(glm::length(z) - scale) <= tolerance;
+    const float shear =
+        std::max({std::abs(glm::dot(x, y)), std::abs(glm::dot(y, z)), std::abs(glm::dot(z, x))});
+    if (!same_length || shear > tolerance * scale)
+        throw InputError("a sphere cannot be stretched; scale it evenly or use a mesh");
+    return scale;
+}
+
+glm::mat4 rigid_part(const glm::mat4& transform) {
+    const glm::dvec3 back = glm::normalize(glm::dvec3(glm::vec3(transform[2])));
+    glm::dvec3 right{glm::vec3(transform[0])};
+    right = glm::normalize(right - back * glm::dot(right, back));
+    const glm::dvec3 up = glm::cross(back, right);
+    return glm::mat4(glm::vec4(glm::vec3(right), 0.0f), glm::vec4(glm::vec3(up), 0.0f),
+                     glm::vec4(glm::vec3(back), 0.0f), transform[3]);
+}
+
+static Camera placed(Camera camera, const glm::mat4& transform) {
+    const float scale = std::cbrt(std::abs(glm::determinant(glm::mat3(transform))));
+    camera.camera_to_world = rigid_part(transform * camera.camera_to_world);
+    camera.aperture_radius *= scale;
+    camera.focus_distance *= scale;
+    return camera;
+}
+
+bool emits(const Environment& environment) {
+    return environment.radiance.x > 0.0f || environment.radiance.y > 0.0f ||
+           environment.radiance.z > 0.0f;
+}
+
+template <class T>
+static void take_missing(std::optional<T>& whole, const std::optional<T>& part) {
+    if (!whole) whole = part;
+}
+
+static void take_missing(RenderSettings& whole, const RenderSettings& part) {
+    take_missing(whole.width, part.width);
+    take_missing(whole.height, part.height);
+    take_missing(whole.samples, part.samples);
+    take_missing(whole.depth, part.depth);
+    take_missing(whole.seed, part.seed);
+    take_missing(whole.filter, part.filter);
+    take_missing(whole.exposure, part.exposure);
+}
+
+void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
+                   const glm::mat4& transform) {
+    if (whole.instances.size() + part.instances.size() > MAX_PLACED ||
+        whole.spheres.size() + part.spheres.size() > MAX_PLACED)
+        throw InputError("the includes add up to more than {} instances or spheres; include fewer",
+                         MAX_PLACED);
+    for (const Instance& instance : part.instances)
+        whole.instances.push_back(
+            {instance.mesh + offsets.meshes, transform * instance.object_to_world});
+    const float scale = part.spheres.empty() ? 1.0f : even_scale(transform);
+    for (const Sphere& sphere : part.spheres)
+        whole.spheres.push_back({transform_point(transform, sphere.center), sphere.radius * scale,
+                                 sphere.material + offsets.materials});
+    for (const PointLight& light : part.point_lights)
+        whole.point_lights.push_back({transform_point(transform, light.position), light.intensity});
+    for (const DirectionalLight& light : part.directional_lights)
+        whole.directional_lights.push_back(
+            {glm::normalize(glm::mat3(transform) * light.to_light), light.irradiance});
+    for (const Camera& camera : part.cameras) whole.cameras.push_back(placed(camera, transform));
+    if (!emits(whole.environment)) whole.environment = part.environment;
+    take_missing(whole.settings, part.settings);
+}
+
+void append(Scene& whole, Scene&& part, const glm::mat4& transform) {
+    const AssetOffsets offsets = append_assets(whole, part);
+    append_placed(whole, part, offsets, transform);
+    move_to_end(whole.notes, part.notes);
+}
+
+} // namespace onde

@@ -1,0 +1,32 @@
+// Puts scenes into scenes: the one way by which includes and loaders are joined.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace onde {
+
+/// Where the assets of a part begin in the whole.
+struct AssetOffsets {
+    uint32_t textures = 0, materials = 0, meshes = 0;
+};
+
+/// Moves the textures, materials and meshes of `part` to the end of those of `whole`.
+AssetOffsets append_assets(Scene& whole, Scene& part);
+
+/// Places the instances, spheres, lights and cameras of `part`, whose assets lie at `offsets` in
+/// `whole`, by an affine, invertible transform. Lengths scale, intensities don't; environment and
+/// settings are taken where `whole` has none. Throws InputError when a sphere would be stretched or
+/// when there would be more than 2^26 instances or spheres.
+void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
+                   const glm::mat4& transform);
+
+/// Both of the above and the notes: all of `part` becomes part of `whole`.
+void append(Scene& whole, Scene&& part, const glm::mat4& transform = glm::mat4(1.0f));
+
+/// Rotation and translation of a camera placed by `transform`: scale, shear and mirroring removed.
+glm::mat4 rigid_part(const glm::mat4& transform);
+
+/// Whether the scene's environment emits anything.
+bool emits(const Environment& environment);
+
+} // namespace onde

@@ -1,0 +1,90 @@
+#include "scene/mesh_parts.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+
+namespace onde {
+
+/// The unit face normal, or zero for a triangle without area. In double precision, since the
+/// squares of tiny edges underflow in float.
+static glm::vec3 face_normal(const std::vector<glm::vec3>& positions, glm::uvec3 triangle) {
+    const glm::dvec3 a(positions[triangle.x]), b(positions[triangle.y]), c(positions[triangle.z]);
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double length = glm::length(normal);
+    return length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
+}
+
+/// One vertex per corner, each with its face's normal.
+static MeshPart flat_shaded(const MeshPart& part) {
+    MeshPart flat;
+    flat.materials = part.materials;
+    for (const glm::uvec3& triangle : part.triangles) {
+        const uint32_t first = uint32_t(flat.positions.size());
+        const glm::vec3 normal = face_normal(part.positions, triangle);
+        for (size_t corner = 0; corner < 3; ++corner) {
+            flat.positions.push_back(part.positions[triangle[corner]]);
+            flat.normals.push_back(normal);
+            if (!part.uvs.empty()) flat.uvs.push_back(part.uvs[triangle[corner]]);
+        }
+        flat.triangles.push_back(glm::uvec3(first, first + 1, first + 2));
+    }
+    return flat;
+}
+
+static void append_part(Mesh& mesh, const MeshPart& part) {
+    const uint32_t first = uint32_t(mesh.positions.size());
+    if (mesh.positions.size() + part.positions.size() > MAX_VERTICES)
+        throw InputError("mesh '{}': more than {} vertices; split the scene", mesh.name,
+                         MAX_VERTICES);
+    mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+    mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
+    mesh.uvs.insert(mesh.uvs.end(), part.uvs.begin(), part.uvs.end());
+    for (const glm::uvec3& triangle : part.triangles) mesh.triangles.push_back(triangle + first);
+    mesh.materials.insert(mesh.materials.end(), part.materials.begin(), part.materials.end());
+}
+
+static void make_normals_unit(Mesh& mesh, Notes& notes) {
+    if (mesh.normals.empty()) return;
+    bool repaired = false;
+    for (const glm::uvec3& triangle : mesh.triangles)
+        for (size_t corner = 0; corner < 3; ++corner) {
+            glm::vec3& normal = mesh.normals[triangle[corner]];
+            if (normal != glm::vec3(0.0f)) continue;
+            normal = face_normal(mesh.positions, triangle);
+            repaired = true;
+        }
+    for (glm::vec3& normal : mesh.normals) {
+        const double length = glm::length(glm::dvec3(normal));
+        normal = length > 0.0 ? glm::vec3(glm::dvec3(normal) / length) : glm::vec3(0, 1, 0);
+    }
+    if (repaired) notes.add("Normals of length zero are replaced by face normals", mesh.name);
+}
+
+static void note_degenerate(const Mesh& mesh, Notes& notes) {
+    const auto degenerate = [&](const glm::uvec3& triangle) {
+        return face_normal(mesh.positions, triangle) == glm::vec3(0.0f);
+    };
+    if (std::any_of(mesh.triangles.begin(), mesh.triangles.end(), degenerate))
+        notes.add("Triangles without area can't be hit", mesh.name);
+}
+
+Mesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes) {
+    const bool normals = std::any_of(parts.begin(), parts.end(),
+                                     [](const MeshPart& part) { return !part.normals.empty(); });
+    const bool uvs = std::any_of(parts.begin(), parts.end(),
+                                 [](const MeshPart& part) { return !part.uvs.empty(); });
+    Mesh mesh;
+    mesh.name = std::move(name);
+    for (MeshPart& part : parts) {
+        if (normals && part.normals.empty()) part = flat_shaded(part);
+        if (uvs && part.uvs.empty()) part.uvs.resize(part.positions.size(), glm::vec2(0.0f));
+        append_part(mesh, part);
+        part = {};
+    }
+    note_degenerate(mesh, notes);
+    make_normals_unit(mesh, notes);
+    return mesh;
+}
+
+} // namespace onde

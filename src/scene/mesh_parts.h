@@ -1,0 +1,26 @@
+// Joins the parts of a mesh as files store them, each with or without normals and uvs, into one.
+#pragma once
+
+#include "scene/notes.h"
+#include "scene/scene.h"
+
+namespace onde {
+
+/// As Mesh, but normals need not be unit. All indices are in range, all numbers finite.
+struct MeshPart {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals; ///< per vertex or empty
+    std::vector<glm::vec2> uvs;     ///< per vertex or empty
+    std::vector<glm::uvec3> triangles;
+    std::vector<uint32_t> materials; ///< one per triangle
+};
+
+/// The most vertices that a file may make; keeps a small hostile file from filling the memory.
+inline constexpr size_t MAX_VERTICES = size_t(1) << 28;
+
+/// One mesh of all parts. Where some parts have normals, the others get one vertex per corner with
+/// the face's normal. Normals are made unit; zero ones are replaced by a face's normal, with a
+/// note. Triangles without area are kept, with a note.
+Mesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes);
+
+} // namespace onde

@@ -1,0 +1,72 @@
+#include "scene/references.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "image/image_io.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace onde {
+namespace fs = std::filesystem;
+
+static bool lies_in(const fs::path& folder, const fs::path& path) {
+    const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+    return end == folder.end() && rest != path.end();
+}
+
+fs::path resolve_inside(const fs::path& folder, const std::string& reference,
+                        const std::string& where) {
+    const fs::path relative(reference);
+    if (reference.empty() || reference.find('\0') != std::string::npos)
+        throw InputError("{}: the file name is empty or damaged; name a file", where);
+    if (relative.is_absolute())
+        throw InputError("{}: '{}' is an absolute path; name a file in the scene's folder", where,
+                         reference);
+    std::error_code error, folder_error;
+    const fs::path base = fs::canonical(folder.empty() ? fs::path(".") : folder, folder_error);
+    const fs::path path = fs::weakly_canonical(base / relative, error);
+    if (error || folder_error)
+        throw InputError("{}: '{}' cannot be resolved ({})", where, reference,
+                         (error ? error : folder_error).message());
+    if (!lies_in(base, path))
+        throw InputError("{}: '{}' leaves the scene's folder; move the file into it", where,
+                         reference);
+    return path;
+}
+
+std::string decode_uri(const std::string& uri) {
+    std::string text;
+    for (size_t i = 0; i < uri.size(); ++i) {
+        unsigned char byte = 0;
+        const char* digits = uri.data() + i + 1;
+        if (uri[i] == '%' && i + 2 < uri.size() &&
+            std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+            text += char(byte);
+            i += 2;
+        } else {
+            text += uri[i];
+        }
+    }
+    return text;
+}
+
+int32_t add_texture_file(Scene& scene, const fs::path& folder, const std::string& reference,
+                         const TextureUse& use, const std::string& where) {
+    const fs::path path = resolve_inside(folder, reference, where);
+    const auto same = [&](const Texture& texture) {
+        return texture.name == path.string() && texture.srgb == use.srgb &&
+               texture.wrap_u == use.wrap_u && texture.wrap_v == use.wrap_v;
+    };
+    const auto found = std::find_if(scene.textures.begin(), scene.textures.end(), same);
+    if (found != scene.textures.end()) return int32_t(found - scene.textures.begin());
+    if (!fs::exists(path))
+        throw InputError("{}: the image '{}' does not exist; check the name", where, reference);
+    const std::string bytes = read_file(path);
+    ByteImage image = decode_byte_image(
+        {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, path.string());
+    scene.textures.push_back({path.string(), std::move(image), use.srgb, use.wrap_u, use.wrap_v});
+    return int32_t(scene.textures.size() - 1);
+}
+
+} // namespace onde

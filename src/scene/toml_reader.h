@@ -1,0 +1,86 @@
+// Reads a TOML table key by key, with one sentence for everything that can be wrong with it.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace onde {
+
+/// The values that a key may have; the ends belong to it unless `open`.
+struct Range {
+    double low = -std::numeric_limits<float>::max();
+    double high = std::numeric_limits<float>::max();
+    bool open = false;
+};
+
+inline constexpr Range ANY_NUMBER{};
+inline constexpr Range NOT_NEGATIVE{.low = 0.0};
+inline constexpr Range POSITIVE{.low = 1e-30};
+inline constexpr Range UNIT{.low = 0.0, .high = 1.0};
+
+/// One table of a TOML file. Every error is an InputError "FILE:LINE:COLUMN: KEY PATH: problem".
+/// Values are finite and in the given range; whole numbers are taken as floats where floats are
+/// asked for.
+class TableReader {
+  public:
+    /// `path` is the table's own key path, empty for the root. Both must outlive the reader's use.
+    TableReader(const toml::table& table, std::string file, std::string path);
+
+    /// Throws for the first key that is none of these, naming the nearest one.
+    void allow(std::initializer_list<std::string_view> keys) const;
+
+    bool has(std::string_view key) const { return table_->contains(key); }
+
+    std::optional<float> number(std::string_view key, Range range = ANY_NUMBER) const;
+    std::optional<uint32_t> integer(std::string_view key, uint32_t low, uint32_t high) const;
+    std::optional<bool> boolean(std::string_view key) const;
+    std::optional<std::string> text(std::string_view key) const;
+    /// Three numbers.
+    std::optional<glm::vec3> vector(std::string_view key, Range range = ANY_NUMBER) const;
+    /// Three numbers, or one for all three.
+    std::optional<glm::vec3> color(std::string_view key, Range range) const;
+    /// Exactly `count` numbers.
+    std::optional<std::vector<float>> numbers(std::string_view key, size_t count,
+                                              Range range) const;
+    /// The index of the key's text among `names`.
+    std::optional<size_t> choice(std::string_view key,
+                                 std::initializer_list<std::string_view> names) const;
+    /// Rows of three numbers.
+    std::vector<glm::dvec3> rows(std::string_view key) const;
+    /// The texts of an array.
+    std::vector<std::string> texts(std::string_view key) const;
+
+    /// Whether the key holds an array that doesn't begin with a table.
+    bool is_array_of_texts(std::string_view key) const;
+    /// One reader for a table, one each for an array of tables, none where the key is absent.
+    std::vector<TableReader> tables(std::string_view key) const;
+
+    /// The value, or an error that says that the key is missing.
+    template <class T>
+    T require(std::string_view key, std::optional<T> value) const {
+        if (!value) fail(key, "is missing; add it");
+        return *value;
+    }
+
+    /// Throws InputError about the key, or about the table when it has no such key.
+    [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
+
+    /// "FILE:LINE:COLUMN: KEY PATH" of the key or, without one, of the table.
+    std::string where(std::string_view key = {}) const;
+
+  private:
+    float to_float(const toml::node& node, std::string_view key, Range range) const;
+
+    const toml::table* table_;
+    std::string file_, path_;
+};
+
+} // namespace onde

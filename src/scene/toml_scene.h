@@ -1,0 +1,68 @@
+// The scene that a TOML file is being read into: settings, cameras and materials in toml.cpp,
+// geometry and lights in toml_shapes.cpp.
+#pragma once
+
+#include "scene/merge.h"
+#include "scene/references.h"
+#include "scene/toml_reader.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace onde {
+
+/// Reads one file. All errors are InputErrors that name the file, the line and the key.
+class TomlScene {
+  public:
+    /// Throws when the file is one of its own ancestors or lies too deep.
+    TomlScene(const std::filesystem::path& path, std::vector<std::filesystem::path> ancestors);
+
+    Scene read(const TableReader& root);
+
+  private:
+    /// A file that was included: its assets lie in the scene, ready to be placed again.
+    struct Part {
+        Scene placed; ///< without assets
+        AssetOffsets offsets;
+    };
+
+    void read_settings(const TableReader& root);
+    void read_camera(const TableReader& table);
+    void read_material(const TableReader& table);
+    void read_environment(const TableReader& root);
+    void read_shape(const TableReader& table);
+    void read_light(const TableReader& table);
+    void read_includes(const TableReader& root);
+
+    void add_rectangle(const TableReader& table, uint32_t material);
+    void add_sphere(const TableReader& table, uint32_t material);
+    void add_baked(Mesh mesh, const glm::mat4& transform);
+    void add_mesh_file(const TableReader& table);
+    Mesh inline_mesh(const TableReader& table, uint32_t material) const;
+
+    glm::vec3 base_color(const TableReader& table) const;
+    int32_t texture(const TableReader& table, std::string_view key, bool srgb);
+    uint32_t material_named_in(const TableReader& table);
+    uint32_t default_material();
+    uint32_t emitter(const TableReader& table);
+    glm::mat4 placement(const TableReader& table) const;
+    void place(const TableReader& table, std::string_view key, const std::string& file,
+               const Part& part, const glm::mat4& transform);
+
+    /// Loads the file once for each material; later calls return the same part. `material` is
+    /// given to all of the file's triangles unless it is negative. Shapes take geometry only.
+    Part& part(const TableReader& table, std::string_view key, const std::string& file,
+               bool geometry_only, int64_t material);
+
+    std::filesystem::path folder_;
+    std::vector<std::filesystem::path> ancestors_; ///< ends with this file
+    Scene scene_;
+    std::map<std::string, uint32_t> material_of_name_;
+    std::map<std::string, Part> parts_;
+    int64_t default_material_ = -1;
+};
+
+} // namespace onde

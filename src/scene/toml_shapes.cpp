@@ -1,0 +1,230 @@
+// Shapes, lights and includes of Onde's scene format.
+#include "core/error.h"
+#include "scene/loaders.h"
+#include "scene/shapes.h"
+#include "scene/toml_scene.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+namespace onde {
+namespace fs = std::filesystem;
+
+uint32_t TomlScene::default_material() {
+    if (default_material_ < 0) {
+        default_material_ = int64_t(scene_.materials.size());
+        scene_.materials.emplace_back().name = "default";
+    }
+    return uint32_t(default_material_);
+}
+
+uint32_t TomlScene::material_named_in(const TableReader& table) {
+    const auto name = table.text("material");
+    if (!name) return default_material();
+    const auto found = material_of_name_.find(*name);
+    if (found != material_of_name_.end()) return found->second;
+    std::string known;
+    for (const auto& [other, index] : material_of_name_)
+        known += (known.empty() ? "" : ", ") + other;
+    table.fail("material",
+               fmt::format("names '{}', which is no [[material]] of this file; there is: {}", *name,
+                           known.empty() ? "none" : known));
+}
+
+/// Scale first, then rotation about X, Y and Z, then position.
+glm::mat4 TomlScene::placement(const TableReader& table) const {
+    const glm::vec3 position = table.vector("position").value_or(glm::vec3(0.0f));
+    const glm::vec3 angles = glm::radians(table.vector("rotation").value_or(glm::vec3(0.0f)));
+    const glm::vec3 scale = table.color("scale", ANY_NUMBER).value_or(glm::vec3(1.0f));
+    if (!std::isnormal(scale.x * scale.y * scale.z))
+        table.fail("scale", "must not be 0 along any axis, nor extreme");
+    glm::mat4 m = glm::translate(glm::mat4(1.0f), position);
+    m = glm::rotate(m, angles.z, glm::vec3(0, 0, 1));
+    m = glm::rotate(m, angles.y, glm::vec3(0, 1, 0));
+    m = glm::rotate(m, angles.x, glm::vec3(1, 0, 0));
+    return glm::scale(m, scale);
+}
+
+void TomlScene::add_baked(Mesh mesh, const glm::mat4& transform) {
+    bake(mesh, transform);
+    scene_.instances.push_back({uint32_t(scene_.meshes.size()), glm::mat4(1.0f)});
+    scene_.meshes.push_back(std::move(mesh));
+}
+
+void TomlScene::add_sphere(const TableReader& table, uint32_t material) {
+    const glm::vec3 center = table.vector("center").value_or(glm::vec3(0.0f));
+    const float radius = table.number("radius", POSITIVE).value_or(1.0f);
+    scene_.spheres.push_back({center, radius, material});
+}
+
+void TomlScene::add_rectangle(const TableReader& table, uint32_t material) {
+    if (!table.has("corner")) {
+        for (const char* key : {"edge1", "edge2"})
+            if (table.has(key)) table.fail(key, "goes with corner; add corner");
+        const auto size = table.numbers("size", 2, POSITIVE).value_or(std::vector{1.0f, 1.0f});
+        const glm::vec3 corner(-0.5f * size[0], -0.5f * size[1], 0.0f);
+        add_baked(
+            rectangle_mesh(corner, glm::vec3(size[0], 0, 0), glm::vec3(0, size[1], 0), material),
+            placement(table));
+        return;
+    }
+    for (const char* key : {"position", "rotation", "scale", "size"})
+        if (table.has(key)) table.fail(key, "can't go with corner; use corner, edge1 and edge2");
+    const glm::vec3 corner = *table.vector("corner");
+    const glm::vec3 edge1 = table.require("edge1", table.vector("edge1"));
+    const glm::vec3 edge2 = table.require("edge2", table.vector("edge2"));
+    if (glm::length(glm::cross(glm::dvec3(edge1), glm::dvec3(edge2))) == 0.0)
+        table.fail("edge2", "must not be zero or parallel to edge1");
+    add_baked(rectangle_mesh(corner, edge1, edge2, material), glm::mat4(1.0f));
+}
+
+Mesh TomlScene::inline_mesh(const TableReader& table, uint32_t material) const {
+    Mesh mesh;
+    mesh.name = "mesh";
+    for (const glm::dvec3& position : table.rows("positions"))
+        mesh.positions.push_back(glm::vec3(position));
+    const double count = double(mesh.positions.size());
+    for (const glm::dvec3& row : table.rows("triangles")) {
+        for (size_t i = 0; i < 3; ++i)
+            if (row[i] < 0.0 || row[i] >= count || row[i] != std::floor(row[i]))
+                table.fail("triangles", fmt::format("has the index {}, but there are {} positions",
+                                                    row[i], mesh.positions.size()));
+        mesh.triangles.push_back(glm::uvec3(row));
+    }
+    mesh.materials.assign(mesh.triangles.size(), material);
+    return mesh;
+}
+
+void TomlScene::add_mesh_file(const TableReader& table) {
+    for (const char* key : {"positions", "triangles"})
+        if (table.has(key)) table.fail(key, "can't go with file; give one of them");
+    const std::string file = *table.text("file");
+    if (fs::path(file).extension() == ".toml")
+        table.fail("file", "must be a .obj, .gltf or .glb; include scenes by [[include]]");
+    const int64_t material = table.has("material") ? int64_t(material_named_in(table)) : -1;
+    place(table, "file", file, part(table, "file", file, true, material), placement(table));
+}
+
+void TomlScene::read_shape(const TableReader& table) {
+    enum { SPHERE, RECTANGLE, BOX, PLANE, MESH };
+    const size_t type = table.require(
+        "type", table.choice("type", {"sphere", "rectangle", "box", "plane", "mesh"}));
+    switch (type) {
+    case SPHERE:
+        table.allow({"type", "material", "center", "radius"});
+        return add_sphere(table, material_named_in(table));
+    case RECTANGLE:
+        table.allow({"type", "material", "position", "rotation", "scale", "size", "corner", "edge1",
+                     "edge2"});
+        return add_rectangle(table, material_named_in(table));
+    case BOX: {
+        table.allow({"type", "material", "position", "rotation", "scale", "size"});
+        const glm::vec3 size = table.color("size", POSITIVE).value_or(glm::vec3(1.0f));
+        return add_baked(box_mesh(size, material_named_in(table)), placement(table));
+    }
+    case PLANE: {
+        table.allow({"type", "material", "position", "rotation", "scale", "size"});
+        const float size = table.number("size", POSITIVE).value_or(1000.0f);
+        const glm::vec3 corner(-0.5f * size, 0.0f, 0.5f * size), x(size, 0, 0),
+            minus_z(0, 0, -size);
+        return add_baked(rectangle_mesh(corner, x, minus_z, material_named_in(table)),
+                         placement(table));
+    }
+    default:
+        table.allow({"type", "material", "position", "rotation", "scale", "file", "positions",
+                     "triangles"});
+        if (table.text("file")) return add_mesh_file(table);
+        add_baked(inline_mesh(table, material_named_in(table)), placement(table));
+    }
+}
+
+/// A black material that emits the light's radiance.
+uint32_t TomlScene::emitter(const TableReader& table) {
+    Material material;
+    material.name = "light";
+    material.base_color = glm::vec3(0.0f);
+    material.emission = table.require("radiance", table.color("radiance", NOT_NEGATIVE));
+    material.two_sided = table.boolean("two_sided").value_or(false);
+    scene_.materials.push_back(material);
+    return uint32_t(scene_.materials.size() - 1);
+}
+
+void TomlScene::read_light(const TableReader& table) {
+    enum { POINT, DIRECTIONAL, RECTANGLE, SPHERE };
+    const size_t type = table.require(
+        "type", table.choice("type", {"point", "directional", "rectangle", "sphere"}));
+    if (type == POINT) {
+        table.allow({"type", "position", "intensity"});
+        scene_.point_lights.push_back(
+            {table.require("position", table.vector("position")),
+             table.require("intensity", table.color("intensity", NOT_NEGATIVE))});
+    } else if (type == DIRECTIONAL) {
+        table.allow({"type", "direction", "irradiance"});
+        const glm::dvec3 direction(table.require("direction", table.vector("direction")));
+        if (glm::length(direction) < 1e-30) table.fail("direction", "must not be zero");
+        scene_.directional_lights.push_back(
+            {glm::vec3(-glm::normalize(direction)),
+             table.require("irradiance", table.color("irradiance", NOT_NEGATIVE))});
+    } else if (type == RECTANGLE) {
+        table.allow({"type", "radiance", "two_sided", "position", "rotation", "scale", "size",
+                     "corner", "edge1", "edge2"});
+        add_rectangle(table, emitter(table));
+    } else {
+        table.allow({"type", "radiance", "center", "radius"});
+        add_sphere(table, emitter(table));
+    }
+}
+
+static void keep_geometry(Scene& scene) {
+    scene.point_lights.clear();
+    scene.directional_lights.clear();
+    scene.cameras.clear();
+    scene.environment = {};
+    scene.settings = {};
+}
+
+TomlScene::Part& TomlScene::part(const TableReader& table, std::string_view key,
+                                 const std::string& file, bool geometry_only, int64_t material) {
+    const fs::path path = resolve_inside(folder_, file, table.where(key));
+    if (!fs::exists(path))
+        table.fail(key, fmt::format("names '{}', which does not exist; check the name", file));
+    const auto [found, is_new] =
+        parts_.try_emplace(fmt::format("{} {} {}", geometry_only, material, path.string()));
+    Part& part = found->second;
+    if (!is_new) return part;
+    part.placed = load_part(path, ancestors_);
+    if (geometry_only) keep_geometry(part.placed);
+    for (const std::string& note : part.placed.notes) scene_.notes.push_back(file + ": " + note);
+    part.offsets = append_assets(scene_, part.placed);
+    if (material >= 0)
+        for (size_t i = part.offsets.meshes; i < scene_.meshes.size(); ++i)
+            std::fill(scene_.meshes[i].materials.begin(), scene_.meshes[i].materials.end(),
+                      uint32_t(material));
+    return part;
+}
+
+void TomlScene::place(const TableReader& table, std::string_view key, const std::string& file,
+                      const Part& part, const glm::mat4& transform) {
+    try {
+        append_placed(scene_, part.placed, part.offsets, transform);
+    } catch (const InputError& error) {
+        throw InputError("{}: '{}': {}", table.where(key), file, error.what());
+    }
+}
+
+void TomlScene::read_includes(const TableReader& root) {
+    if (!root.has("include")) return;
+    if (root.is_array_of_texts("include")) {
+        for (const std::string& file : root.texts("include"))
+            place(root, "include", file, part(root, "include", file, false, -1), glm::mat4(1.0f));
+        return;
+    }
+    for (const TableReader& table : root.tables("include")) {
+        table.allow({"file", "position", "rotation", "scale"});
+        const std::string file = table.require("file", table.text("file"));
+        place(table, "file", file, part(table, "file", file, false, -1), placement(table));
+    }
+}
+
+} // namespace onde

@@ -1,0 +1,17 @@
+// Polygons of mesh files into triangles.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace onde {
+
+/// Triangles, as indices into `corners`, of a polygon without holes that lies about in a plane: a
+/// fan where it is convex, ears clipped where it is not (Meisters, "Polygons have ears", 1975).
+/// `corners.size() - 2` triangles that keep its winding, also where it crosses itself.
+std::vector<std::array<size_t, 3>> triangulate(std::span<const glm::vec3> corners);
+
+} // namespace onde

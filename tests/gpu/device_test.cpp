@@ -116,3 +116,31 @@ TEST_CASE("a platform without devices is listed with that problem") {
     }
     CHECK_THROWS_WITH(open_device("Portable"), Contains("it has no devices"));
 }
+
+TEST_CASE("broken platforms and devices are listed with their reasons and do not hide the others") {
+    if (!test::is_rerun()) {
+        const test::TemporaryFolder vendors;
+        vendors.write("0.icd", ONDE_BROKEN_DRIVER "\n");
+        for (const auto& entry : std::filesystem::directory_iterator("/etc/OpenCL/vendors"))
+            std::filesystem::copy(entry.path(), vendors.path() / entry.path().filename());
+        CHECK(test::rerun_with("OCL_ICD_VENDORS=" + vendors.path().string(),
+                               "broken platforms and devices are listed with their reasons and do "
+                               "not hide the others"));
+        return;
+    }
+    const auto named = [all = list_platforms()](const std::string& name) {
+        for (const PlatformReport& report : all)
+            if (report.name == name) return report;
+        FAIL("platform " << name << " is not listed");
+        return PlatformReport{};
+    };
+    CHECK_THAT(named("Speechless").problem, Contains("CL_OUT_OF_HOST_MEMORY"));
+    CHECK(named("Speechless").devices.empty());
+    REQUIRE(named("Half There").devices.size() == 1);
+    CHECK(named("Half There").devices[0].name == "Silent Card");
+    CHECK_THAT(named("Half There").devices[0].problem, Contains("CL_OUT_OF_RESOURCES"));
+
+    CHECK(open_device().facts().problem == "");
+    CHECK_THROWS_AS(open_device("silent"), DeviceError);
+    CHECK_THROWS_WITH(open_device("silent"), Contains("Silent Card cannot be used"));
+}

@@ -91,7 +91,7 @@ BvhInstance make_instance(const Placement& placement, uint32_t root) {
 }
 
 void check_limits(const WidePlace& total, size_t placements) {
-    constexpr uint32_t LIMIT = BVH_INDEX_MASK;
+    constexpr uint32_t LIMIT = BVH_INDEX_MASK / 2; // packets number slots in 32 bits
     for (size_t count : {size_t(total.node), size_t(total.block), size_t(total.sphere), placements})
         if (count > LIMIT)
             throw InputError(

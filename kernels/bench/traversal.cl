@@ -1,0 +1,51 @@
+// Recorded rays through the tree and nothing else: what the traversal bench times and the traversal
+// tests ask. A ray is 8 floats: origin, t_min, direction, t_max; a hit is 5 words: t, u, v, ids.
+#include "lib/bvh.h"
+#include "lib/bvh_packet.h"
+
+#define BVH_PARAMETERS                                                                             \
+    __global const uchar *nodes, __global const uchar *blocks, __global const BvhSphere *spheres,  \
+        __global const BvhInstance *instances, uint root
+#define BVH_VIEW                                                                                   \
+    { nodes, blocks, spheres, instances, root }
+
+INLINE void store_hit(__global float* hits, uint i, Hit hit) {
+    hits[5 * i] = hit.t;
+    hits[5 * i + 1] = hit.u;
+    hits[5 * i + 2] = hit.v;
+    hits[5 * i + 3] = as_float(hit.primitive);
+    hits[5 * i + 4] = as_float(hit.instance);
+}
+
+__kernel void closest(uint count, BVH_PARAMETERS, __global const float8* rays,
+                      __global float* hits) {
+    const uint i = get_global_id(0);
+    if (i >= count) return;
+    const BvhView bvh = BVH_VIEW;
+    const float8 ray = rays[i];
+    store_hit(hits, i, bvh_closest(bvh, ray.s012, ray.s3, ray.s456, ray.s7));
+}
+
+__kernel void occluded(uint count, BVH_PARAMETERS, __global const float8* rays,
+                       __global uint* blocked) {
+    const uint i = get_global_id(0);
+    if (i >= count) return;
+    const BvhView bvh = BVH_VIEW;
+    const float8 ray = rays[i];
+    blocked[i] = bvh_occluded(bvh, ray.s012, ray.s3, ray.s456, ray.s7);
+}
+
+// Work item i takes rays 16 i to 16 i + 15; the last packet repeats the last ray.
+__kernel void closest_packet(uint count, BVH_PARAMETERS, __global const float* rays,
+                             __global float* hits) {
+    const uint first = 16 * get_global_id(0);
+    if (first >= count) return;
+    const BvhView bvh = BVH_VIEW;
+    float rows[8][16], hit_rows[5][16];
+    for (uint lane = 0; lane < 16; lane++)
+        for (uint row = 0; row < 8; row++)
+            rows[row][lane] = rays[8 * min(first + lane, count - 1) + row];
+    bvh_closest_packet(bvh, rows, hit_rows);
+    for (uint lane = 0; lane < 16 && first + lane < count; lane++)
+        for (uint row = 0; row < 5; row++) hits[5 * (first + lane) + row] = hit_rows[row][lane];
+}

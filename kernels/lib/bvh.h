@@ -1,0 +1,242 @@
+// The tree, walked by one ray: closest hit and any hit. Scalar per ray whatever ONDE_WIDTH is; the
+// lanes in here are the 16 children of a node and the 8 triangles of a leaf.
+//
+// A ray is origin, t_min >= 0, direction (any length), t_max; it hits at t_min < t <= t_max. A ray
+// with a NaN or an infinity in origin or direction hits nothing. The answer does not depend on the
+// order of the walk, nor on which of the walks (single, packet, portable) was asked.
+#ifndef ONDE_LIB_BVH_H
+#define ONDE_LIB_BVH_H
+
+#include "lib/bvh_leaf.h"
+#include "lib/bvh_slab.h"
+
+// Entries that the tree's deepest walk needs: Bvh::stack_size.
+#ifndef ONDE_STACK_SIZE
+    #define ONDE_STACK_SIZE 256
+#endif
+// Whether some leaf of the tree is an instance, or a sphere; the code for it is left out otherwise.
+#ifndef ONDE_INSTANCES
+    #define ONDE_INSTANCES 1
+#endif
+#ifndef ONDE_SPHERES
+    #define ONDE_SPHERES 1
+#endif
+
+typedef struct {
+    __global const uchar* nodes;
+    __global const uchar* blocks;
+    __global const BvhSphere* spheres;
+    __global const BvhInstance* instances;
+    uint root; // child word
+} BvhView;
+
+INLINE __global const uchar* bvh_node(BvhView bvh, uint word) {
+    return bvh.nodes + (size_t)word * sizeof(BvhNode);
+}
+INLINE __global const uchar* bvh_block(BvhView bvh, uint word) {
+    return bvh.blocks + (size_t)(word & BVH_INDEX_MASK) * sizeof(TriangleBlock);
+}
+INLINE __global const uint* bvh_children(__global const uchar* node) {
+    return (__global const uint*)(node + 384);
+}
+
+INLINE void bvh_prefetch(BvhView bvh, uint word) {
+    prefetch_320(word & BVH_LEAF ? bvh_block(bvh, word) : bvh_node(bvh, word));
+}
+
+INLINE uint is_finite_ray(float3 origin, float3 direction) {
+    const float3 sum = (origin + direction) * 0.0f; // NaN where there was NaN or infinity
+    return sum.x + sum.y + sum.z == 0.0f;
+}
+
+// What waits on the stack of a closest-hit walk: distance << 32 | child word. Positive floats order
+// like their bits, so one integer comparison sorts by distance.
+INLINE ulong stack_entry(float distance, uint word) {
+    return (ulong)as_uint(distance) << 32 | word;
+}
+INLINE float entry_distance(ulong entry) {
+    return as_float((uint)(entry >> 32));
+}
+
+// Waits below everything an instance's tree pushes; no tree has this child word.
+#define STACK_LEAVE_INSTANCE ((ulong)BVH_NONE)
+
+#define SORT_DESCENDING(a, b)                                                                      \
+    {                                                                                              \
+        const ulong high = a > b ? a : b, low = a > b ? b : a;                                     \
+        a = high;                                                                                  \
+        b = low;                                                                                   \
+    }
+
+// Pushes the children in `bits`, the nearest last; returns the new size. At least one bit is set.
+INLINE uint push_sorted(ulong* stack, uint size, BvhView bvh, __global const uint* children,
+                        const float* near, uint bits) {
+#define NEXT_ENTRY(entry)                                                                          \
+    const uint slot_##entry = lowest_bit(bits);                                                    \
+    ulong entry = stack_entry(near[slot_##entry], children[slot_##entry]);                         \
+    bits &= bits - 1;
+
+    NEXT_ENTRY(a)
+    if (!bits) {
+        stack[size] = a;
+        return size + 1;
+    }
+    NEXT_ENTRY(b)
+    bvh_prefetch(bvh, (uint)b);
+    if (!bits) {
+        SORT_DESCENDING(a, b)
+        stack[size] = a;
+        stack[size + 1] = b;
+        return size + 2;
+    }
+    NEXT_ENTRY(c)
+    bvh_prefetch(bvh, (uint)c);
+    if (!bits) {
+        SORT_DESCENDING(a, b)
+        SORT_DESCENDING(b, c)
+        SORT_DESCENDING(a, b)
+        stack[size] = a;
+        stack[size + 1] = b;
+        stack[size + 2] = c;
+        return size + 3;
+    }
+    NEXT_ENTRY(d)
+    bvh_prefetch(bvh, (uint)d);
+    SORT_DESCENDING(a, b)
+    SORT_DESCENDING(c, d)
+    SORT_DESCENDING(a, c)
+    SORT_DESCENDING(b, d)
+    SORT_DESCENDING(b, c)
+    stack[size] = a;
+    stack[size + 1] = b;
+    stack[size + 2] = c;
+    stack[size + 3] = d;
+    const uint first = size;
+    size += 4;
+    while (bits) {
+        NEXT_ENTRY(e)
+        bvh_prefetch(bvh, (uint)e);
+        uint i = size++;
+        for (; i > first && stack[i - 1] < e; i--) stack[i] = stack[i - 1];
+        stack[i] = e;
+    }
+    return size;
+#undef NEXT_ENTRY
+}
+
+// The closest hit of the ray.
+TRAVERSAL Hit bvh_closest(BvhView bvh, float3 origin, float t_min, float3 direction, float t_max) {
+    Hit hit = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
+    if (!is_finite_ray(origin, direction)) return hit;
+    ulong stack[ONDE_STACK_SIZE];
+    float near[BVH_WIDTH];
+    uint size = 0;
+    SlabRay slab = make_slab_ray(origin, direction);
+    float3 local_origin = origin, local_direction = direction; // in the space of the current tree
+    float entry = t_min; // no box of the current tree is entered earlier
+    uint instance = BVH_NONE;
+    ulong current = stack_entry(t_min, bvh.root);
+    for (;;) {
+        const uint word = (uint)current;
+        if (!(word & BVH_LEAF)) {
+            __global const uchar* node = bvh_node(bvh, word);
+            const NodeHits hits = meet_node(node, slab, entry, hit.t);
+            if (hits.bits) {
+                vstore16(hits.near, 0, near);
+                size = push_sorted(stack, size, bvh, bvh_children(node), near, hits.bits);
+                current = stack[--size];
+                continue;
+            }
+        } else if ((word & BVH_KIND_MASK) == BVH_LEAF_TRIANGLES) {
+            hit = closest_in_block(bvh_block(bvh, word), local_origin, t_min, local_direction,
+                                   entry_distance(current), instance, hit);
+        }
+#if ONDE_SPHERES
+        else if ((word & BVH_KIND_MASK) == BVH_LEAF_SPHERE) {
+            hit = closest_on_sphere(bvh.spheres[word & BVH_INDEX_MASK], local_origin, t_min,
+                                    local_direction, entry_distance(current), instance, hit);
+        }
+#endif
+#if ONDE_INSTANCES
+        else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE) {
+            instance = word & BVH_INDEX_MASK;
+            __global const BvhInstance* placed = bvh.instances + instance;
+            local_origin = transform_point(placed->world_to_object, origin);
+            local_direction = transform_vector(placed->world_to_object, direction);
+            slab = make_slab_ray(local_origin, local_direction);
+            entry = entry_distance(current);
+            stack[size++] = STACK_LEAVE_INSTANCE;
+            current = stack_entry(entry, placed->root);
+            continue;
+        } else {
+            instance = BVH_NONE;
+            local_origin = origin;
+            local_direction = direction;
+            slab = make_slab_ray(origin, direction);
+            entry = t_min;
+        }
+#endif
+        do {
+            if (size == 0) return hit;
+            current = stack[--size];
+        } while (entry_distance(current) > hit.t);
+    }
+}
+
+// Whether anything is hit: 1 or 0.
+TRAVERSAL uint bvh_occluded(BvhView bvh, float3 origin, float t_min, float3 direction,
+                            float t_max) {
+    if (!is_finite_ray(origin, direction)) return 0;
+    uint stack[ONDE_STACK_SIZE];
+    uint size = 0;
+    SlabRay slab = make_slab_ray(origin, direction);
+    float3 local_origin = origin, local_direction = direction;
+    uint word = bvh.root;
+    for (;;) {
+        if (!(word & BVH_LEAF)) {
+            __global const uchar* node = bvh_node(bvh, word);
+            __global const uint* children = bvh_children(node);
+            uint bits = meet_node(node, slab, t_min, t_max).bits;
+            if (bits) {
+                // The largest child, which lies in the first slot, is the likeliest to end the
+                // walk.
+                word = children[lowest_bit(bits)];
+                for (bits &= bits - 1; bits; bits &= bits - 1) {
+                    const uint child = children[lowest_bit(bits)];
+                    bvh_prefetch(bvh, child);
+                    stack[size++] = child;
+                }
+                continue;
+            }
+        } else if ((word & BVH_KIND_MASK) == BVH_LEAF_TRIANGLES) {
+            if (any_in_block(bvh_block(bvh, word), local_origin, t_min, local_direction, t_max))
+                return 1;
+        }
+#if ONDE_SPHERES
+        else if ((word & BVH_KIND_MASK) == BVH_LEAF_SPHERE) {
+            if (sphere_distance(bvh.spheres[word & BVH_INDEX_MASK], local_origin, t_min,
+                                local_direction, t_max) != INFINITY)
+                return 1;
+        }
+#endif
+#if ONDE_INSTANCES
+        else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE) {
+            __global const BvhInstance* placed = bvh.instances + (word & BVH_INDEX_MASK);
+            local_origin = transform_point(placed->world_to_object, origin);
+            local_direction = transform_vector(placed->world_to_object, direction);
+            slab = make_slab_ray(local_origin, local_direction);
+            stack[size++] = BVH_NONE;
+            word = placed->root;
+            continue;
+        } else {
+            local_origin = origin;
+            local_direction = direction;
+            slab = make_slab_ray(origin, direction);
+        }
+#endif
+        if (size == 0) return 0;
+        word = stack[--size];
+    }
+}
+
+#endif

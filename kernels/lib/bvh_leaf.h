@@ -1,0 +1,118 @@
+// A ray against what hangs in the leaves: blocks of triangles, spheres, instances.
+#ifndef ONDE_LIB_BVH_LEAF_H
+#define ONDE_LIB_BVH_LEAF_H
+
+#include "lib/triangle.h"
+
+// A closest hit. primitive == BVH_NONE: nothing was hit, and t is the ray's t_max.
+// u and v weigh the triangle's vertices 1 and 2; they are 0 on spheres. instance == BVH_NONE: the
+// primitive lies in the world directly.
+typedef struct {
+    float t, u, v;
+    uint primitive, instance;
+} Hit;
+
+// Among hits at the same distance the smallest ids win, whatever the order in which they are found.
+INLINE uint is_closer(float t, uint primitive, uint instance, Hit than) {
+    if (t != than.t) return t < than.t;
+    return primitive < than.primitive || (primitive == than.primitive && instance < than.instance);
+}
+
+INLINE Vectors8 splat8(float3 v) {
+    const Vectors8 vectors = {(float8)(v.x), (float8)(v.y), (float8)(v.z)};
+    return vectors;
+}
+INLINE Vectors8 block_vectors(__global const float8* rows) {
+    const Vectors8 vectors = {rows[0], rows[1], rows[2]};
+    return vectors;
+}
+INLINE TriangleTest8 test_block(__global const uchar* block, float3 origin, float3 direction) {
+    __global const float8* rows = (__global const float8*)block;
+    return test_triangles8(splat8(origin), splat8(direction), block_vectors(rows),
+                           block_vectors(rows + 3), block_vectors(rows + 6));
+}
+
+// `hit`, or the closest hit of the block's triangles in (t_min, hit.t]. A hit counts as no closer
+// than `near`, where the ray enters the block's box: rounding may say otherwise, and the walk over
+// boxes would then find it or not depending on its order.
+INLINE Hit closest_in_block(__global const uchar* block, float3 origin, float t_min,
+                            float3 direction, float near, uint instance, Hit hit) {
+    const TriangleTest8 test = test_block(block, origin, direction);
+    const int8 candidates = may_hit8(test, (float8)(t_min), (float8)(hit.t));
+    if (!bits8(candidates)) return hit;
+    const float8 inverse = 1.0f / test.determinant;
+    const float8 t = test.t * inverse;
+    const float8 from_box = UPPER(t, (float8)(near));
+    const float8 candidate_t = candidates & (t > t_min) ? from_box : (float8)(INFINITY);
+    const float closest = lowest_of8(candidate_t);
+    if (!(closest <= hit.t) || closest == INFINITY) return hit;
+
+    // The ids of a block ascend: its lowest lane has the smallest.
+    const uint lane = lowest_bit(bits8(candidate_t == closest));
+    const uint primitive = ((__global const uint*)block)[72 + lane];
+    if (!is_closer(closest, primitive, instance, hit)) return hit;
+    float u[8], v[8];
+    vstore8(test.u * inverse, 0, u);
+    vstore8(test.v * inverse, 0, v);
+    const Hit closer = {closest, u[lane], v[lane], primitive, instance};
+    return closer;
+}
+
+// Whether some triangle of the block is hit in (t_min, t_max].
+INLINE uint any_in_block(__global const uchar* block, float3 origin, float t_min, float3 direction,
+                         float t_max) {
+    const TriangleTest8 test = test_block(block, origin, direction);
+    const int8 candidates = may_hit8(test, (float8)(t_min), (float8)(t_max));
+    if (!bits8(candidates)) return 0;
+    const float8 t = test.t * (1.0f / test.determinant);
+    return bits8(candidates & (t > t_min) & (t <= t_max)) != 0;
+}
+
+INLINE float dot_scalar(float3 a, float3 b) {
+    return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
+}
+
+// The nearest distance in (t_min, t_max] at which the ray meets the sphere, or infinity. The
+// quadratic formula without cancellation of Haines et al., "Precision improvements for ray/sphere
+// intersection", Ray Tracing Gems, 2019, chapter 7.
+INLINE float sphere_distance(BvhSphere sphere, float3 origin, float t_min, float3 direction,
+                             float t_max) {
+    const float3 f = origin - (float3)(sphere.center[0], sphere.center[1], sphere.center[2]);
+    const float a = dot_scalar(direction, direction);
+    const float b = -dot_scalar(f, direction);
+    const float3 foot = fma((float3)(b / a), direction, f);
+    const float radius2 = sphere.radius * sphere.radius;
+    const float discriminant = a * (radius2 - dot_scalar(foot, foot));
+    if (!(discriminant >= 0.0f)) return INFINITY;
+    const float q = b + copysign(sqrt(discriminant), b);
+    const float c = dot_scalar(f, f) - radius2;
+    const float t0 = c / q, t1 = q / a;
+    const float first = LOWER(t0, t1), second = UPPER(t0, t1);
+    if (first > t_min && first <= t_max) return first;
+    return second > t_min && second <= t_max ? second : INFINITY;
+}
+
+// As closest_in_block, of one sphere.
+INLINE Hit closest_on_sphere(BvhSphere sphere, float3 origin, float t_min, float3 direction,
+                             float near, uint instance, Hit hit) {
+    const float distance = sphere_distance(sphere, origin, t_min, direction, hit.t);
+    if (distance == INFINITY) return hit;
+    const float t = UPPER(distance, near);
+    if (!is_closer(t, sphere.primitive, instance, hit)) return hit;
+    const Hit closer = {t, 0.0f, 0.0f, sphere.primitive, instance};
+    return closer;
+}
+
+// Rows of a 3x4 matrix times (p, 1), or (v, 0).
+INLINE float3 transform_point(__global const float* rows, float3 p) {
+    return (float3)(fma(rows[0], p.x, fma(rows[1], p.y, fma(rows[2], p.z, rows[3]))),
+                    fma(rows[4], p.x, fma(rows[5], p.y, fma(rows[6], p.z, rows[7]))),
+                    fma(rows[8], p.x, fma(rows[9], p.y, fma(rows[10], p.z, rows[11]))));
+}
+INLINE float3 transform_vector(__global const float* rows, float3 v) {
+    return (float3)(fma(rows[0], v.x, fma(rows[1], v.y, rows[2] * v.z)),
+                    fma(rows[4], v.x, fma(rows[5], v.y, rows[6] * v.z)),
+                    fma(rows[8], v.x, fma(rows[9], v.y, rows[10] * v.z)));
+}
+
+#endif

@@ -1,0 +1,302 @@
+// The tree, walked by 16 rays together: for primary rays, which go almost the same way. A frustum
+// of intervals is tested against the 16 children of a node at once, then each box that survives
+// against the 16 rays. Answers are those of bvh_closest, bit for bit.
+#ifndef ONDE_LIB_BVH_PACKET_H
+#define ONDE_LIB_BVH_PACKET_H
+
+#include "lib/bvh.h"
+
+#if ONDE_INSTANCES
+
+// Rays that leave for an instance's space no longer share a frustum: one by one.
+TRAVERSAL void bvh_closest_packet(BvhView bvh, float rays[8][16], float hits[5][16]) {
+    for (uint i = 0; i < 16; i++) {
+        const Hit hit = bvh_closest(bvh, (float3)(rays[0][i], rays[1][i], rays[2][i]), rays[3][i],
+                                    (float3)(rays[4][i], rays[5][i], rays[6][i]), rays[7][i]);
+        hits[0][i] = hit.t;
+        hits[1][i] = hit.u;
+        hits[2][i] = hit.v;
+        hits[3][i] = as_float(hit.primitive);
+        hits[4][i] = as_float(hit.instance);
+    }
+}
+
+#else
+
+typedef struct {
+    Vectors16 origin, direction, inverse;
+    float16 t_min;
+} Packet;
+
+typedef struct {
+    float16 t, u, v;
+    uint16 primitive;
+} PacketHits;
+
+// Rays of one octant as intervals. `near_origin` is the end of each axis' interval of origins that
+// is closest to the near planes, `far_origin` the other one.
+typedef struct {
+    float3 near_origin, far_origin, lowest_inverse, highest_inverse;
+    uint3 near; // byte offsets, as in SlabRay
+    float t_min;
+} Frustum;
+
+INLINE float16 safe_inverse16(float16 direction) {
+    return 1.0f / (fabs(direction) < 1e-18f ? copysign((float16)(1e-18f), direction) : direction);
+}
+
+INLINE Packet load_packet(float rays[8][16]) {
+    Packet packet;
+    packet.origin.x = vload16(0, rays[0]);
+    packet.origin.y = vload16(0, rays[1]);
+    packet.origin.z = vload16(0, rays[2]);
+    packet.t_min = vload16(0, rays[3]);
+    packet.direction.x = vload16(0, rays[4]);
+    packet.direction.y = vload16(0, rays[5]);
+    packet.direction.z = vload16(0, rays[6]);
+    packet.inverse.x = safe_inverse16(packet.direction.x);
+    packet.inverse.y = safe_inverse16(packet.direction.y);
+    packet.inverse.z = safe_inverse16(packet.direction.z);
+    return packet;
+}
+
+INLINE int16 finite_rays(Packet packet) {
+    const float16 x = (packet.origin.x + packet.direction.x) * 0.0f;
+    const float16 y = (packet.origin.y + packet.direction.y) * 0.0f;
+    const float16 z = (packet.origin.z + packet.direction.z) * 0.0f;
+    return x + y + z == 0.0f;
+}
+
+INLINE uint16 octants(Packet packet) {
+    const int16 signs = ((packet.inverse.x < 0.0f) & 1) | ((packet.inverse.y < 0.0f) & 2) |
+                        ((packet.inverse.z < 0.0f) & 4);
+    return as_uint16(signs);
+}
+
+INLINE float lowest_in(float16 a, int16 lanes) {
+    return lowest_of16(lanes ? a : (float16)(INFINITY));
+}
+INLINE float highest_in(float16 a, int16 lanes) {
+    return highest_of16(lanes ? a : (float16)(-INFINITY));
+}
+
+INLINE Frustum make_frustum(Packet packet, int16 lanes, uint octant) {
+    const float3 low =
+        (float3)(lowest_in(packet.origin.x, lanes), lowest_in(packet.origin.y, lanes),
+                 lowest_in(packet.origin.z, lanes));
+    const float3 high =
+        (float3)(highest_in(packet.origin.x, lanes), highest_in(packet.origin.y, lanes),
+                 highest_in(packet.origin.z, lanes));
+    const int3 flipped = ((int3)(octant) & (int3)(1, 2, 4)) != 0;
+    Frustum frustum;
+    frustum.near_origin = flipped ? low : high;
+    frustum.far_origin = flipped ? high : low;
+    frustum.lowest_inverse =
+        (float3)(lowest_in(packet.inverse.x, lanes), lowest_in(packet.inverse.y, lanes),
+                 lowest_in(packet.inverse.z, lanes));
+    frustum.highest_inverse =
+        (float3)(highest_in(packet.inverse.x, lanes), highest_in(packet.inverse.y, lanes),
+                 highest_in(packet.inverse.z, lanes));
+    frustum.near = (uint3)(octant & 1 ? 64 : 0, octant & 2 ? 192 : 128, octant & 4 ? 320 : 256);
+    frustum.t_min = lowest_in(packet.t_min, lanes);
+    return frustum;
+}
+
+// Bounds of the distances at which the frustum's rays cross planes: rounding keeps order, so these
+// bound the rounded distances of each ray as well.
+INLINE float16 earliest(float16 planes, float origin, float lowest, float highest) {
+    const float16 way = planes - origin;
+    return LOWER(way * lowest, way * highest);
+}
+INLINE float16 latest(float16 planes, float origin, float lowest, float highest) {
+    const float16 way = planes - origin;
+    return UPPER(way * lowest, way * highest);
+}
+
+INLINE NodeHits frustum_meets_node(__global const uchar* node, Frustum f, float t_max) {
+    const float3 lowest_far = f.lowest_inverse * (1.0f + SLAB_SLACK);
+    const float3 highest_far = f.highest_inverse * (1.0f + SLAB_SLACK);
+    const float16 near_x = earliest(node_row(node, f.near.x), f.near_origin.x, f.lowest_inverse.x,
+                                    f.highest_inverse.x);
+    const float16 near_y = earliest(node_row(node, f.near.y), f.near_origin.y, f.lowest_inverse.y,
+                                    f.highest_inverse.y);
+    const float16 near_z = earliest(node_row(node, f.near.z), f.near_origin.z, f.lowest_inverse.z,
+                                    f.highest_inverse.z);
+    const float16 far_x =
+        latest(node_row(node, f.near.x ^ 64), f.far_origin.x, lowest_far.x, highest_far.x);
+    const float16 far_y =
+        latest(node_row(node, f.near.y ^ 64), f.far_origin.y, lowest_far.y, highest_far.y);
+    const float16 far_z =
+        latest(node_row(node, f.near.z ^ 64), f.far_origin.z, lowest_far.z, highest_far.z);
+    const float16 near_xy = UPPER(near_x, near_y), near_zt = UPPER(near_z, (float16)(f.t_min));
+    const float16 far_xy = LOWER(far_x, far_y), far_zt = LOWER(far_z, (float16)(t_max));
+    NodeHits hits;
+    hits.near = UPPER(near_xy, near_zt);
+    hits.bits = lower_bits16(hits.near, LOWER(far_xy, far_zt));
+    return hits;
+}
+
+// Where each ray enters one box, and which rays do; as meet_node, ray by ray.
+typedef struct {
+    float16 near;
+    int16 lanes;
+} BoxHits;
+
+INLINE BoxHits rays_meet_box(__global const float* box, Frustum f, Packet rays, float16 t_max) {
+    const uint near_x = f.near.x / 4, near_y = f.near.y / 4, near_z = f.near.z / 4;
+    const float16 slack = (float16)(1.0f + SLAB_SLACK);
+    const float16 in_x = (box[near_x] - rays.origin.x) * rays.inverse.x;
+    const float16 in_y = (box[near_y] - rays.origin.y) * rays.inverse.y;
+    const float16 in_z = (box[near_z] - rays.origin.z) * rays.inverse.z;
+    const float16 out_x = (box[near_x ^ 16] - rays.origin.x) * (rays.inverse.x * slack);
+    const float16 out_y = (box[near_y ^ 16] - rays.origin.y) * (rays.inverse.y * slack);
+    const float16 out_z = (box[near_z ^ 16] - rays.origin.z) * (rays.inverse.z * slack);
+    const float16 in_xy = UPPER(in_x, in_y), in_zt = UPPER(in_z, rays.t_min);
+    const float16 out_xy = LOWER(out_x, out_y), out_zt = LOWER(out_z, t_max);
+    BoxHits hits;
+    hits.near = UPPER(in_xy, in_zt);
+    hits.lanes = hits.near <= LOWER(out_xy, out_zt);
+    return hits;
+}
+
+INLINE Vectors16 splat16(__global const float* rows, uint lane) {
+    const Vectors16 vectors = {(float16)(rows[lane]), (float16)(rows[8 + lane]),
+                               (float16)(rows[16 + lane])};
+    return vectors;
+}
+
+INLINE PacketHits closest_in_block16(__global const uchar* block, Packet rays, BoxHits box,
+                                     PacketHits hits) {
+    __global const float* rows = (__global const float*)block;
+    for (uint i = 0; i < BVH_LEAF_WIDTH; i++) {
+        const uint primitive = as_uint(rows[72 + i]);
+        if (primitive == BVH_NONE) break;
+        const TriangleTest16 test = test_triangles16(rays.origin, rays.direction, splat16(rows, i),
+                                                     splat16(rows + 24, i), splat16(rows + 48, i));
+        if (!bits16(test.inside & box.lanes)) continue;
+        const int16 candidates = may_hit16(test, rays.t_min, hits.t) & box.lanes;
+        if (!bits16(candidates)) continue;
+        const float16 inverse = 1.0f / test.determinant;
+        const float16 t = test.t * inverse;
+        const float16 from_box = UPPER(t, box.near);
+        const int16 closer =
+            candidates & (t > rays.t_min) &
+            ((from_box < hits.t) | ((from_box == hits.t) & ((uint16)(primitive) < hits.primitive)));
+        hits.t = closer ? from_box : hits.t;
+        hits.u = closer ? test.u * inverse : hits.u;
+        hits.v = closer ? test.v * inverse : hits.v;
+        hits.primitive = closer ? (uint16)(primitive) : hits.primitive;
+    }
+    return hits;
+}
+
+INLINE PacketHits closest_on_sphere16(BvhSphere sphere, Packet rays, BoxHits box, PacketHits hits) {
+    float origin[3][16], direction[3][16], t_min[16], near[16], t[16], u[16], v[16];
+    uint primitive[16];
+    vstore16(rays.origin.x, 0, origin[0]);
+    vstore16(rays.origin.y, 0, origin[1]);
+    vstore16(rays.origin.z, 0, origin[2]);
+    vstore16(rays.direction.x, 0, direction[0]);
+    vstore16(rays.direction.y, 0, direction[1]);
+    vstore16(rays.direction.z, 0, direction[2]);
+    vstore16(rays.t_min, 0, t_min);
+    vstore16(box.near, 0, near);
+    vstore16(hits.t, 0, t);
+    vstore16(hits.u, 0, u);
+    vstore16(hits.v, 0, v);
+    vstore16(hits.primitive, 0, primitive);
+    for (uint bits = bits16(box.lanes); bits; bits &= bits - 1) {
+        const uint i = lowest_bit(bits);
+        Hit hit = {t[i], u[i], v[i], primitive[i], BVH_NONE};
+        hit = closest_on_sphere(
+            sphere, (float3)(origin[0][i], origin[1][i], origin[2][i]), t_min[i],
+            (float3)(direction[0][i], direction[1][i], direction[2][i]), near[i], BVH_NONE, hit);
+        t[i] = hit.t;
+        u[i] = hit.u;
+        v[i] = hit.v;
+        primitive[i] = hit.primitive;
+    }
+    const PacketHits closer = {vload16(0, t), vload16(0, u), vload16(0, v), vload16(0, primitive)};
+    return closer;
+}
+
+// Pushes the frustum's children as distance << 32 | node * 16 + slot, the nearest last.
+INLINE uint push_slots(ulong* stack, uint size, uint node, NodeHits hits) {
+    float near[BVH_WIDTH];
+    vstore16(hits.near, 0, near);
+    const uint first = size;
+    for (uint bits = hits.bits; bits; bits &= bits - 1) {
+        const uint slot = lowest_bit(bits);
+        const ulong entry = stack_entry(near[slot], node * BVH_WIDTH + slot);
+        uint i = size++;
+        for (; i > first && stack[i - 1] < entry; i--) stack[i] = stack[i - 1];
+        stack[i] = entry;
+    }
+    return size;
+}
+
+// What a leaf's primitives are to the rays that enter its box.
+INLINE PacketHits closest_in_leaf16(BvhView bvh, uint word, Packet rays, BoxHits box,
+                                    PacketHits hits) {
+    #if ONDE_SPHERES
+    if ((word & BVH_KIND_MASK) == BVH_LEAF_SPHERE)
+        return closest_on_sphere16(bvh.spheres[word & BVH_INDEX_MASK], rays, box, hits);
+    #endif
+    return closest_in_block16(bvh_block(bvh, word), rays, box, hits);
+}
+
+// Walks the tree with the rays in `lanes`, which share an octant.
+INLINE PacketHits walk_octant(BvhView bvh, Packet rays, int16 lanes, uint octant, PacketHits hits) {
+    const Frustum frustum = make_frustum(rays, lanes, octant);
+    float t_max = highest_in(hits.t, lanes);
+    if (bvh.root & BVH_LEAF) {
+        const BoxHits everything = {rays.t_min, lanes};
+        return closest_in_leaf16(bvh, bvh.root, rays, everything, hits);
+    }
+    ulong stack[ONDE_STACK_SIZE];
+    uint size =
+        push_slots(stack, 0, bvh.root, frustum_meets_node(bvh_node(bvh, bvh.root), frustum, t_max));
+    while (size > 0) {
+        const ulong entry = stack[--size];
+        if (entry_distance(entry) > t_max) continue;
+        const uint slot = (uint)entry % BVH_WIDTH;
+        __global const uchar* parent = bvh_node(bvh, (uint)entry / BVH_WIDTH);
+        BoxHits box = rays_meet_box((__global const float*)parent + slot, frustum, rays, hits.t);
+        box.lanes &= lanes;
+        if (!bits16(box.lanes)) continue;
+        const uint word = bvh_children(parent)[slot];
+        if (word & BVH_LEAF) {
+            hits = closest_in_leaf16(bvh, word, rays, box, hits);
+            t_max = highest_in(hits.t, lanes);
+        } else {
+            size = push_slots(stack, size, word,
+                              frustum_meets_node(bvh_node(bvh, word), frustum, t_max));
+        }
+    }
+    return hits;
+}
+
+// Closest hits of 16 rays of any directions. Rows of `rays`: origin x y z, t_min, direction x y z,
+// t_max; rows of `hits`: t, u, v, and the bits of primitive and instance.
+TRAVERSAL void bvh_closest_packet(BvhView bvh, float rays[8][16], float hits[5][16]) {
+    const Packet packet = load_packet(rays);
+    PacketHits found = {vload16(0, rays[7]), 0.0f, 0.0f, (uint16)(BVH_NONE)};
+    const uint16 octant_of = octants(packet);
+    uint octant_list[16];
+    vstore16(octant_of, 0, octant_list);
+    for (uint rest = bits16(finite_rays(packet)); rest;) {
+        const uint octant = octant_list[lowest_bit(rest)];
+        const int16 lanes = (octant_of == (uint16)(octant)) & finite_rays(packet);
+        found = walk_octant(bvh, packet, lanes, octant, found);
+        rest &= ~bits16(lanes);
+    }
+    vstore16(found.t, 0, hits[0]);
+    vstore16(found.u, 0, hits[1]);
+    vstore16(found.v, 0, hits[2]);
+    vstore16(as_float16(found.primitive), 0, hits[3]);
+    vstore16(as_float16((uint16)(BVH_NONE)), 0, hits[4]);
+}
+
+#endif
+
+#endif

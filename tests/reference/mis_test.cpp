@@ -27,8 +27,8 @@ Image image_of(const ReferenceResult& result) {
 
 /// Each technique has its own variance, so the comparison counts both.
 void check_same_mean(const Scene& scene, Technique other) {
-    ReferenceResult mis = render(scene, Technique::mis, 128);
-    const ReferenceResult single = render(scene, other, 256);
+    ReferenceResult mis = render(scene, Technique::mis, 64);
+    const ReferenceResult single = render(scene, other, 128);
     for (size_t i = 0; i < mis.mean.size(); ++i)
         mis.variance_of_mean[i] += single.variance_of_mean[i];
     const Comparison c = compare_to_reference(image_of(single), 1u << 30, mis);

@@ -52,7 +52,6 @@ void Bsdf::set_opaque(const MaterialRecord& material) {
         delta_ = false;
         return;
     }
-    f90_ = 1.0f;
     f0_ = color;
     specular_pmf_ = 1.0f;
     if (material.kind == MaterialKind::conductor) return;
@@ -76,14 +75,15 @@ Scattering Bsdf::eval(const glm::vec3& wi) const {
 
 Scattering Bsdf::eval_opaque(const glm::vec3& wi) const {
     if (wi.z <= 0.0f) return {};
+    if (specular_pmf_ == 0.0f) return {diffuse_ * (wi.z / PI), wi.z / PI};
     const glm::vec3 h = glm::normalize(wi + wo_);
-    const glm::vec3 fresnel = f0_ + (f90_ - f0_) * schlick_weight(glm::dot(wo_, h));
+    const glm::vec3 fresnel = f0_ + (1.0f - f0_) * schlick_weight(glm::dot(wo_, h));
     Scattering s;
     if (specular_pmf_ < 1.0f) {
         s.value = (1.0f - fresnel) * diffuse_ * (wi.z / PI);
         s.pdf = (1.0f - specular_pmf_) * wi.z / PI;
     }
-    if (specular_pmf_ > 0.0f && !delta_) {
+    if (!delta_) {
         const float d = ggx_distribution(h, alpha_);
         s.value += fresnel * (d * smith_visibility(wi.z, wo_.z, alpha_) * wi.z);
         s.pdf += specular_pmf_ * smith_g1(wo_.z, alpha_) * d / (4.0f * wo_.z);

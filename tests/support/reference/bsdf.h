@@ -53,7 +53,6 @@ class Bsdf {
     Frame frame_;                ///< its z is the shading normal, on the viewer's side
     glm::vec3 wo_;               ///< local
     glm::vec3 diffuse_{0.0f}, f0_{0.0f};
-    float f90_ = 0.0f;
     float alpha_;
     float specular_pmf_ = 0.0f; ///< of choosing the specular lobe of an opaque material
     float eta_ = 1.0f;          ///< index on the other side over index on the viewer's side

@@ -77,9 +77,9 @@ SurfacePoint Geometry::triangle_point(const Hit& hit) const {
     SurfacePoint point{};
     point.position = interpolate(p0, p1, p2, hit.barycentric);
     point.geometric_normal = glm::cross(p1 - p0, p2 - p0);
-    point.shading_normal = mesh.normals.empty() ? point.geometric_normal
-                                                : interpolate(mesh.normals[t.x], mesh.normals[t.y],
-                                                              mesh.normals[t.z], hit.barycentric);
+    if (!mesh.normals.empty())
+        point.shading_normal =
+            interpolate(mesh.normals[t.x], mesh.normals[t.y], mesh.normals[t.z], hit.barycentric);
     point.material = mesh.materials[hit.primitive];
     float extent = largest(glm::max(glm::max(glm::abs(p0), glm::abs(p1)), glm::abs(p2)));
     if (!shape.baked) {
@@ -91,7 +91,7 @@ SurfacePoint Geometry::triangle_point(const Hit& hit) const {
                  largest(shape.to_world[3]);
     }
     point.geometric_normal = glm::normalize(point.geometric_normal);
-    const float length = glm::length(point.shading_normal);
+    const float length = mesh.normals.empty() ? 0.0f : glm::length(point.shading_normal);
     point.shading_normal = length > 0.0f ? point.shading_normal / length : point.geometric_normal;
     point.clearance = CLEARANCE * extent;
     return point;

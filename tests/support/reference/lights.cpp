@@ -63,7 +63,7 @@ void Lights::add_triangles(uint32_t shape) {
         if (light_of.empty()) light_of.assign(count, NO_LIGHT);
         light_of[i] = uint32_t(lights_.size());
         const float sides = material.two_sided ? 2.0f : 1.0f;
-        const float power = sides * PI * area * luminance(appearance_.mean_emission(material));
+        const float power = sides * PI * area * luminance(appearance_.mean_emission(t.material));
         add_light(Kind::triangle, triangles_.size(), power);
         const glm::vec3 corner = glm::abs(t.p0) + glm::abs(t.e1) + glm::abs(t.e2);
         triangles_.push_back({t, normal / (2.0f * area), area, 0x1p-18f * max_component(corner)});
@@ -79,7 +79,8 @@ void Lights::add_spheres() {
         if (light_of.empty()) light_of.assign(spheres.size(), NO_LIGHT);
         light_of[i] = uint32_t(lights_.size());
         const float area = 4.0f * PI * spheres[i].radius * spheres[i].radius;
-        add_light(Kind::sphere, i, PI * area * luminance(appearance_.mean_emission(material)));
+        add_light(Kind::sphere, i,
+                  PI * area * luminance(appearance_.mean_emission(spheres[i].material)));
     }
 }
 

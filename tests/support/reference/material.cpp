@@ -13,6 +13,12 @@ MaterialRecord::MaterialRecord(const Material& m)
 Appearance::Appearance(const Scene& scene) {
     for (const Material& material : scene.materials) materials_.emplace_back(material);
     for (const Texture& texture : scene.textures) textures_.emplace_back(texture);
+    for (const MaterialRecord& m : materials_) {
+        const bool uniform = !m.emits() || m.emission_texture == NO_TEXTURE;
+        const glm::vec3 mean =
+            uniform ? glm::vec3(1.0f) : textures_[size_t(m.emission_texture)].mean();
+        mean_emission_.push_back(m.emission * mean);
+    }
 }
 
 MaterialRecord Appearance::at(const MaterialRecord& material, const glm::vec2& uv) const {
@@ -31,11 +37,6 @@ glm::vec3 Appearance::emission(const MaterialRecord& m, const glm::vec2& uv, boo
     if (!front && !m.two_sided) return glm::vec3(0.0f);
     if (m.emission_texture == NO_TEXTURE) return m.emission;
     return m.emission * textures_[size_t(m.emission_texture)].sample(uv);
-}
-
-glm::vec3 Appearance::mean_emission(const MaterialRecord& m) const {
-    if (m.emission_texture == NO_TEXTURE) return m.emission;
-    return m.emission * textures_[size_t(m.emission_texture)].mean();
 }
 
 glm::vec3 Appearance::mapped_normal(const MaterialRecord& m, const glm::vec2& uv,

@@ -37,7 +37,7 @@ class Appearance {
     /// Radiance emitted toward a viewer on the front (or back) side.
     glm::vec3 emission(const MaterialRecord& material, const glm::vec2& uv, bool front) const;
     /// Over the whole texture; zero only where nothing is emitted.
-    glm::vec3 mean_emission(const MaterialRecord& material) const;
+    glm::vec3 mean_emission(uint32_t material) const { return mean_emission_[material]; }
     /// The shading normal after the normal map, on the same side as `normal`.
     glm::vec3 mapped_normal(const MaterialRecord& material, const glm::vec2& uv,
                             const Tangents& tangents, const glm::vec3& normal) const;
@@ -45,6 +45,7 @@ class Appearance {
   private:
     std::vector<MaterialRecord> materials_;
     std::vector<TextureMap> textures_;
+    std::vector<glm::vec3> mean_emission_; ///< per material
 };
 
 } // namespace onde::reference

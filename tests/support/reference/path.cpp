@@ -22,7 +22,9 @@ PathTracer::Vertex PathTracer::shade(const Hit& hit, const SurfacePoint& point,
     glm::vec3 normal = point.shading_normal;
     if (material.normal_texture != NO_TEXTURE)
         normal = appearance_.mapped_normal(material, uv, geometry_.tangents(hit), normal);
-    const MaterialRecord here = material.textured ? appearance_.at(material, uv) : material;
+    if (!material.textured)
+        return {point, emission, Bsdf(material, point.geometric_normal, normal, wo)};
+    const MaterialRecord here = appearance_.at(material, uv);
     return {point, emission, Bsdf(here, point.geometric_normal, normal, wo)};
 }
 

@@ -2,6 +2,7 @@
 #ifndef ONDE_LIB_TRACE_H
 #define ONDE_LIB_TRACE_H
 
+#include "lib/bvh_packet.h"
 #include "lib/surface.h"
 
 // Whether primary rays go through the tree as packets of 16; needs ONDE_WIDTH 16.

@@ -1,6 +1,7 @@
 // The whole path in one loop, its state in registers. The same estimator, sample by sample, as the
 // wavefront; `count` is the number of paths.
 #include "film/film.h"
+#include "film/tally.h"
 #include "lib/trace.h"
 #include "path/path.h"
 

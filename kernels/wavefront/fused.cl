@@ -1,5 +1,6 @@
 // All stages and bounces of a chunk of paths in one work item: a wavefront that lives in the cache.
 // `count` is the number of paths of the wave.
+#include "film/tally.h"
 #include "wavefront/queue.h"
 
 __kernel void fused(uint count, SCENE_PARAMETERS, JOB_PARAMETERS, STATE_PARAMETERS) {

@@ -1,5 +1,6 @@
 // One kernel per stage: for GPUs, for tests of single stages, for profiles.
 // `count` is the number of paths of the wave.
+#include "film/tally.h"
 #include "wavefront/queue.h"
 
 __kernel void generate(uint count, SCENE_PARAMETERS, JOB_PARAMETERS, STATE_PARAMETERS) {

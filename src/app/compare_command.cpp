@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-namespace onde {
+namespace onde::app {
 
 namespace {
 
@@ -82,4 +82,4 @@ void add_compare_command(CLI::App& app) {
     command->callback([options] { run_compare(*options); });
 }
 
-} // namespace onde
+} // namespace onde::app

@@ -5,10 +5,10 @@ namespace CLI {
 class App;
 }
 
-namespace onde {
+namespace onde::app {
 
 /// Adds the subcommand to `app`. When chosen it prints a table, or JSON with --json, on standard
 /// output; throws InputError for pictures that cannot be read or differ in shape.
 void add_compare_command(CLI::App& app);
 
-} // namespace onde
+} // namespace onde::app

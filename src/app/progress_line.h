@@ -1,0 +1,24 @@
+// How far a render is: one line that is rewritten on a terminal, plain lines elsewhere.
+#pragma once
+
+#include "core/timer.h"
+#include "render/render_loop.h"
+
+namespace onde::app {
+
+class ProgressLine {
+  public:
+    /// Writes to standard error; nothing when quiet.
+    explicit ProgressLine(bool quiet);
+
+    void show(const Progress& progress);
+    /// Ends the rewritten line.
+    void finish();
+
+  private:
+    bool quiet_, terminal_;
+    bool open_ = false;
+    double next_plain_line_ = 5;
+};
+
+} // namespace onde::app

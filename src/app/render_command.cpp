@@ -1,0 +1,149 @@
+#include "app/render_command.h"
+
+#include "app/progress_line.h"
+#include "app/render_report.h"
+#include "app/render_request.h"
+
+#include "core/log.h"
+#include "core/timer.h"
+#include "scene/load.h"
+#include "upload/device_scene.h"
+
+#include <atomic>
+#include <csignal>
+#include <memory>
+
+namespace onde::app {
+namespace {
+
+// A signal handler can reach nothing else.
+std::atomic<bool> stop_requested{false};
+
+/// While it lives, the first Ctrl-C asks the render to stop; the second one kills the program.
+class StopOnInterrupt {
+  public:
+    StopOnInterrupt() {
+        previous_ = std::signal(SIGINT, [](int) {
+            stop_requested = true;
+            std::signal(SIGINT, SIG_DFL);
+        });
+    }
+    ~StopOnInterrupt() { std::signal(SIGINT, previous_); }
+    StopOnInterrupt(const StopOnInterrupt&) = delete;
+    StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
+
+  private:
+    void (*previous_)(int);
+};
+
+Scene load(const RenderRequest& request) {
+    Scene scene = load_scene(request.scene);
+    if (!request.environment.empty())
+        scene.environment =
+            load_environment(request.environment, glm::vec3(1.0f), request.environment_rotation);
+    for (const std::string& note : scene.notes) spdlog::info("{}", note);
+    return scene;
+}
+
+ImageMetadata describe_picture(const RenderReport& report) {
+    return {{"onde:scene_hash", report.scene_hash},
+            {"onde:seed", std::to_string(report.options.seed)},
+            {"onde:samples", fmt::format("{:.6g}", report.outcome.samples)},
+            {"onde:device", report.device.name},
+            {"onde:version", ONDE_VERSION},
+            {"Software", "Onde " ONDE_VERSION}};
+}
+
+void write_pictures(const std::vector<std::filesystem::path>& outputs, const Image& image,
+                    const RenderRequest& request, const Scene& scene,
+                    const ImageMetadata& metadata) {
+    const Display display{request.exposure.value_or(scene.settings.exposure.value_or(0.0f)),
+                          request.tone_map};
+    const ExrDepth depth = request.full_float ? ExrDepth::full_float : ExrDepth::half_float;
+    for (const auto& path : outputs) {
+        if (path.extension() == ".exr")
+            write_exr(path, image, metadata, depth);
+        else
+            write_png(path, image, display, metadata);
+        spdlog::info("wrote {}", std::filesystem::absolute(path).string());
+    }
+}
+
+void warn_of_invalid(const Film::Invalid& invalid) {
+    if (invalid.count == 0) return;
+    spdlog::warn("{} samples were not finite and were left out; the first was sample {} of pixel "
+                 "{},{}; please report the scene",
+                 invalid.count, invalid.sample, invalid.x, invalid.y);
+}
+
+/// Renders one request; returns whether it was interrupted.
+bool run(const RenderRequest& request) {
+    set_up_logging(request.quiet);
+    const Timer total;
+    RenderReport report;
+    const auto outputs = resolve_outputs(request);
+    const gpu::KernelSources sources = request.kernels.empty()
+                                           ? gpu::KernelSources::embedded()
+                                           : gpu::KernelSources::folder(request.kernels);
+    const Scene scene = load(request);
+    report.load_seconds = total.seconds();
+    const gpu::Device device = gpu::open_device(request.device);
+    report.device = device.facts();
+    report.options = resolve_options(request, scene, device.facts());
+    report.scene = request.scene.string();
+    report.scene_hash = scene_hash(scene);
+
+    const Timer packing;
+    const DeviceScene device_scene(device, pack_scene(scene));
+    report.pack_seconds = packing.seconds();
+    report.bvh = device_scene.packed().bvh.statistics;
+    report.scene_bytes = device_scene.packed().device_bytes();
+
+    const gpu::ProgramCache cache;
+    gpu::Profiler profiler;
+    const bool profiled = request.stats || !request.json.empty();
+    const auto integrator = make_path_integrator(
+        device, sources, request.no_cache ? nullptr : &cache, device_scene,
+        scene.cameras[report.options.camera], report.options, profiled ? &profiler : nullptr);
+    report.kernels = integrator->build_report();
+    report.state_bytes = integrator->state_bytes();
+    report.film_bytes = uint64_t(report.options.width) * report.options.height * 16;
+    spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", report.options.width,
+                 report.options.height, report.device.name,
+                 report.kernels.from_cache ? "loaded" : "compiled", report.kernels.seconds);
+
+    ProgressLine line(request.quiet);
+    {
+        const StopOnInterrupt interrupt;
+        report.outcome = render(*integrator, report.options, stop_requested,
+                                [&](const Progress& progress) { line.show(progress); });
+    }
+    line.finish();
+    report.rays = integrator->ray_counts();
+    report.invalid = integrator->film().find_invalid(device);
+    warn_of_invalid(report.invalid);
+    if (report.outcome.interrupted)
+        spdlog::warn("interrupted after {:.3g} samples per pixel; saving the picture so far",
+                     report.outcome.samples);
+
+    const Timer writing;
+    write_pictures(outputs, integrator->film().develop(device), request, scene,
+                   describe_picture(report));
+    report.write_seconds = writing.seconds();
+    report.total_seconds = total.seconds();
+    if (profiled) report.kernel_times = profiler.totals();
+    if (request.stats) print_report(report);
+    if (!request.json.empty()) write_report(report, request.json);
+    return report.outcome.interrupted;
+}
+
+} // namespace
+
+void add_render_command(CLI::App& app, bool& interrupted) {
+    auto request = std::make_shared<RenderRequest>();
+    CLI::App* command = app.add_subcommand("render", "Render a scene to a picture");
+    declare_options(*command, *request);
+    command->callback([request, &interrupted] { interrupted = run(*request); });
+}
+
+} // namespace onde::app

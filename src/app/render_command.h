@@ -1,0 +1,12 @@
+// `onde render SCENE`: from a scene file to a picture file.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace onde::app {
+
+/// Adds the subcommand. Sets `interrupted` when Ctrl-C ended the render (the picture so far is
+/// saved). Throws InputError and DeviceError.
+void add_render_command(CLI::App& app, bool& interrupted);
+
+} // namespace onde::app

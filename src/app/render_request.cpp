@@ -1,0 +1,173 @@
+#include "app/render_request.h"
+
+#include "core/error.h"
+#include "core/files.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+namespace onde::app {
+namespace {
+
+const std::map<std::string, Engine> ENGINES{{"wavefront", Engine::wavefront},
+                                            {"megakernel", Engine::megakernel}};
+const std::map<std::string, gpu::Launch> LAUNCHES{{"staged", gpu::Launch::staged},
+                                                  {"fused", gpu::Launch::fused}};
+const std::map<std::string, gpu::QueueKind> QUEUES{{"chunk-local", gpu::QueueKind::chunk_local},
+                                                   {"global", gpu::QueueKind::global}};
+const std::map<std::string, bool> SWITCH{{"on", true}, {"off", false}};
+const std::map<std::string, Filter> FILTERS{{"box", Filter::box},
+                                            {"tent", Filter::tent},
+                                            {"gaussian", Filter::gaussian},
+                                            {"blackman-harris", Filter::blackman_harris}};
+const std::map<std::string, ToneMap> TONE_MAPS{{"none", ToneMap::none},
+                                               {"filmic", ToneMap::filmic}};
+
+/// An option that takes one of a few words.
+template <class T, class Field>
+void add_choice(CLI::App& command, const std::string& name, Field& field,
+                const std::map<std::string, T>& words, const std::string& help) {
+    std::vector<std::string> names;
+    for (const auto& [word, value] : words) names.push_back(word);
+    command
+        .add_option_function<std::string>(
+            name, [&field, &words](const std::string& word) { field = words.at(word); }, help)
+        ->check(CLI::IsMember(names))
+        ->type_name(fmt::format("{}", fmt::join(names, "|")));
+}
+
+std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
+    uint32_t width = 0, height = 0;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, width);
+    if (first.ec == std::errc() && first.ptr != end && *first.ptr == 'x') {
+        const auto second = std::from_chars(first.ptr + 1, end, height);
+        if (second.ec == std::errc() && second.ptr == end) return {width, height};
+    }
+    throw InputError("--size {} is not of the form WIDTHxHEIGHT, for example 640x480", text);
+}
+
+uint32_t find_camera(const std::string& name, const Scene& scene) {
+    if (name.empty()) return 0;
+    std::vector<std::string> names;
+    for (uint32_t i = 0; i < scene.cameras.size(); i++) {
+        if (scene.cameras[i].name == name || std::to_string(i) == name) return i;
+        names.push_back(fmt::format("{} \"{}\"", i, scene.cameras[i].name));
+    }
+    throw InputError("--camera {}: no such camera; the scene has {}", name, fmt::join(names, ", "));
+}
+
+void declare_picture(CLI::App& command, RenderRequest& r) {
+    command
+        .add_option("-o,--output", r.outputs,
+                    "Picture to write, .png or .exr; may be given several times")
+        ->type_name("FILE");
+    command.add_option("--size", r.size, "Pixels, for example 640x480")->type_name("WxH");
+    command.add_option("--spp", r.samples, "Samples per pixel")->type_name("N");
+    command.add_option("--time", r.seconds, "Stop after about that many seconds")
+        ->type_name("SECONDS")
+        ->check(CLI::PositiveNumber);
+    command.add_option("--camera", r.camera, "Camera of the scene, by name or number");
+    command
+        .add_option("--environment", r.environment,
+                    "Light the scene with this equirectangular picture (.hdr, .exr)")
+        ->type_name("FILE");
+    command
+        .add_option("--environment-rotation", r.environment_rotation,
+                    "Turn that picture, counter-clockwise seen from above")
+        ->type_name("DEGREES");
+    command.add_option("--exposure", r.exposure, "Brighten the .png by that many stops")
+        ->type_name("STOPS");
+    add_choice(command, "--tone-map", r.tone_map, TONE_MAPS, "How the .png rolls off highlights");
+    command.add_flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
+}
+
+void declare_method(CLI::App& command, RenderRequest& r) {
+    command.add_option("--depth", r.depth, "The most surfaces a path visits")->type_name("N");
+    command.add_option("--seed", r.seed, "Of the random numbers; same seed, same picture")
+        ->type_name("N");
+    add_choice(command, "--filter", r.filter, FILTERS, "Pixel filter");
+    add_choice(command, "--engine", r.engine, ENGINES, "How paths are driven through the device");
+    add_choice(command, "--launch", r.launch, LAUNCHES,
+               "Wavefront stages one by one, or all in one kernel");
+    add_choice(command, "--queue", r.queue, QUEUES, "Where live rays are kept");
+    add_choice(command, "--packets", r.packets, SWITCH, "Primary rays in packets of 16");
+    command.add_option("--lanes", r.width, "Paths shaded at once by a work item: 1, 8 or 16")
+        ->type_name("N");
+    command.add_option("--wave-size", r.wave_size, "Paths in flight")->type_name("N");
+    command.add_option("--chunk", r.chunk, "Paths of one work item")->type_name("N");
+}
+
+void declare_machine(CLI::App& command, RenderRequest& r) {
+    command.add_option("--device", r.device, "Device by number or part of its name");
+    command.add_option("--kernels", r.kernels, "Read kernels from this folder (live editing)")
+        ->type_name("DIR");
+    command.add_flag("--no-cache", r.no_cache, "Compile kernels anew");
+    command.add_flag("--stats", r.stats, "Print times, rays, memory and kernel times");
+    command.add_option("--json", r.json, "Write the same numbers to this file")->type_name("FILE");
+    command.add_flag("--quiet", r.quiet, "Print warnings and errors only");
+}
+
+void resolve_settings(const RenderRequest& request, gpu::DeviceSettings& settings) {
+    settings.width = request.width.value_or(settings.width);
+    settings.queue = request.queue.value_or(settings.queue);
+    if (settings.queue == gpu::QueueKind::global) settings.launch = gpu::Launch::staged;
+    settings.launch = request.launch.value_or(settings.launch);
+    settings.primary_packets = request.packets.value_or(settings.primary_packets);
+    settings.chunk = request.chunk.value_or(std::max(settings.chunk, settings.width));
+    settings.wave_size = request.wave_size.value_or(settings.wave_size);
+    if (settings.chunk > 0) // a wave is whole chunks
+        settings.wave_size =
+            (settings.wave_size + settings.chunk - 1) / settings.chunk * settings.chunk;
+}
+
+} // namespace
+
+void declare_options(CLI::App& command, RenderRequest& request) {
+    command.add_option("scene", request.scene, "Scene: .gltf, .glb, .obj or .toml")
+        ->required()
+        ->type_name("SCENE");
+    declare_picture(command, request);
+    declare_method(command, request);
+    declare_machine(command, request);
+}
+
+RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
+                              const gpu::DeviceFacts& facts) {
+    const RenderSettings& own = scene.settings;
+    RenderOptions options;
+    options.width = own.width.value_or(options.width);
+    options.height = own.height.value_or(options.height);
+    if (!request.size.empty()) std::tie(options.width, options.height) = parse_size(request.size);
+    options.seconds = request.seconds.value_or(0);
+    const uint32_t by_default = options.seconds > 0 ? 1u << 20 : options.samples;
+    options.samples = request.samples.value_or(
+        options.seconds > 0 ? by_default : own.samples.value_or(by_default));
+    options.depth = request.depth.value_or(own.depth.value_or(options.depth));
+    options.seed = request.seed.value_or(own.seed.value_or(options.seed));
+    options.filter = request.filter.value_or(own.filter.value_or(options.filter));
+    options.camera = find_camera(request.camera, scene);
+    options.engine = request.engine.value_or(options.engine);
+    options.settings = gpu::default_settings(facts);
+    resolve_settings(request, options.settings);
+    check_options(options, scene);
+    return options;
+}
+
+std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request) {
+    std::vector<std::filesystem::path> outputs = request.outputs;
+    if (outputs.empty()) outputs.push_back(request.scene.stem().string() + ".png");
+    for (const auto& path : outputs) {
+        if (path.extension() != ".png" && path.extension() != ".exr")
+            throw InputError("{}: pictures are written as .png or .exr; change the extension",
+                             path.string());
+        check_writable(path);
+    }
+    if (!request.json.empty()) check_writable(request.json);
+    return outputs;
+}
+
+} // namespace onde::app

@@ -1,0 +1,47 @@
+// What the user asked of `onde render`, as the command line gives it: every option optional.
+#pragma once
+
+#include "image/image_io.h"
+#include "render/options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace onde::app {
+
+struct RenderRequest {
+    std::filesystem::path scene;
+    std::vector<std::filesystem::path> outputs;
+    std::string size;
+    std::optional<uint32_t> samples, depth, seed, wave_size, chunk, width;
+    std::optional<double> seconds;
+    std::optional<Engine> engine;
+    std::optional<gpu::Launch> launch;
+    std::optional<gpu::QueueKind> queue;
+    std::optional<bool> packets;
+    std::optional<Filter> filter;
+    std::string device, camera, environment;
+    float environment_rotation = 0.0f;
+    std::optional<float> exposure;
+    ToneMap tone_map = ToneMap::none;
+    bool full_float = false;
+    std::filesystem::path kernels, json;
+    bool no_cache = false, stats = false, quiet = false;
+};
+
+/// Declares every option of `onde render` on its subcommand.
+void declare_options(CLI::App& command, RenderRequest& request);
+
+/// The request over the scene's own settings over the defaults. Throws InputError.
+RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
+                              const gpu::DeviceFacts& facts);
+
+/// The outputs, or SCENE's name with .png in the current folder when none was given; each must be
+/// .png or .exr and be writable. Throws InputError.
+std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request);
+
+} // namespace onde::app

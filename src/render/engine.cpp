@@ -1,0 +1,69 @@
+#include "render/engine.h"
+
+#include "render/frame.h"
+
+#include <bit>
+
+namespace onde {
+
+KernelArguments::KernelArguments(const EngineContext& context)
+    : device_(context.device), scene_(context.scene), film_(context.film),
+      frame_(context.device, 1), counters_(context.device, COUNTER_SIZE),
+      totals_(context.device, COUNTER_SIZE) {
+    const RenderOptions& options = context.options;
+    const FrameRecord frame = make_frame(context.scene.packed(), context.camera, options);
+    frame_.write(context.device, std::span(&frame, 1));
+    counters_.fill(context.device, 0u);
+    totals_.fill(context.device, uint64_t(0));
+    const std::vector<uint32_t> order = pixel_order(options.width, options.height);
+    pixel_order_ = gpu::Buffer<uint32_t>(context.device, std::span(order));
+}
+
+uint32_t KernelArguments::bind(gpu::Kernel& kernel) const {
+    kernel.set(0, uint32_t(0));
+    kernel.set(1, frame_);
+    const uint32_t job = scene_.bind(kernel, 2);
+    const uint32_t wave =
+        kernel.set_from(job, counters_, film_.invalid(), film_.sums(), pixel_order_);
+    return wave + WAVE_ARGUMENTS;
+}
+
+void KernelArguments::set_wave(gpu::Kernel& kernel, const Wave& wave, uint32_t chunk) const {
+    kernel.set(0, wave.paths());
+    kernel.set_from(FIRST_WAVE_ARGUMENT, chunk, wave.first_pixel, wave.first_sample,
+                    uint32_t(std::countr_zero(wave.samples)));
+}
+
+void KernelArguments::tally(gpu::Program& program, gpu::Profiler* profiler) const {
+    gpu::Kernel& kernel = program.kernel("tally");
+    kernel.set_from(0, uint32_t(COUNTER_SIZE), counters_, totals_);
+    kernel.launch(COUNTER_SIZE, profiler);
+}
+
+std::vector<uint64_t> KernelArguments::counters() const {
+    return totals_.read(device_);
+}
+
+gpu::Program build_engine(const EngineContext& context, const std::string& file,
+                          std::vector<std::string> kernels) {
+    const gpu::DeviceSettings& settings = context.options.settings;
+    gpu::ProgramRequest request;
+    request.file = file;
+    request.defines = context.scene.packed().features.defines();
+    request.defines.push_back(fmt::format("ONDE_WIDTH={}", settings.width));
+    request.defines.push_back(
+        fmt::format("ONDE_GLOBAL_QUEUE={:d}", settings.queue == gpu::QueueKind::global));
+    request.defines.push_back(
+        fmt::format("ONDE_PRIMARY_PACKETS={:d}", settings.primary_packets && settings.width == 16));
+    kernels.push_back("tally");
+    for (std::string& name : kernels) request.kernels.push_back({name, settings.local_size});
+    return gpu::build_program(context.device, context.sources, request, context.cache);
+}
+
+std::unique_ptr<EngineDriver> make_engine(const EngineContext& context) {
+    if (context.options.engine == Engine::megakernel) return make_megakernel(context);
+    if (context.options.settings.launch == gpu::Launch::fused) return make_fused_wavefront(context);
+    return make_staged_wavefront(context);
+}
+
+} // namespace onde

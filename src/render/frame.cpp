@@ -1,0 +1,70 @@
+#include "render/frame.h"
+
+#include "render/filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace onde {
+
+static void copy(float (&to)[3], glm::vec3 from) {
+    for (uint32_t k = 0; k < 3; k++) to[k] = from[k];
+}
+
+static void set_camera(FrameRecord& frame, const Camera& camera, uint32_t width, uint32_t height) {
+    const glm::vec3 origin(camera.camera_to_world[3]);
+    const glm::vec3 right(camera.camera_to_world[0]), up(camera.camera_to_world[1]);
+    const glm::vec3 forward = -glm::vec3(camera.camera_to_world[2]);
+    const float distance = camera.focus_distance;
+    const float step = 2 * distance * std::tan(camera.vertical_fov / 2) / float(height);
+    copy(frame.origin, origin);
+    copy(frame.corner, origin + forward * distance - right * (0.5f * step * float(width)) +
+                           up * (0.5f * step * float(height)));
+    copy(frame.step_x, right * step);
+    copy(frame.step_y, up * -step);
+    copy(frame.lens_u, right);
+    copy(frame.lens_v, up);
+    frame.aperture_radius = camera.aperture_radius;
+    frame.focus_distance = distance;
+}
+
+FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
+                       const RenderOptions& options) {
+    FrameRecord frame{};
+    set_camera(frame, camera, options.width, options.height);
+    frame.width = options.width;
+    frame.height = options.height;
+    frame.seed = options.seed;
+    frame.max_depth = options.depth;
+    frame.roulette_start = options.roulette_start;
+    frame.light_count = uint32_t(scene.lights.size());
+    frame.environment_light = scene.environment_light;
+    frame.environment_width = scene.environment_map.width;
+    frame.environment_height = scene.environment_map.height;
+    copy(frame.environment_radiance, scene.environment.radiance);
+    frame.environment_rotation = scene.environment.rotation * float(0.5 / std::numbers::pi);
+    std::ranges::copy(filter_table(options.filter), frame.filter_table);
+    return frame;
+}
+
+/// The bits at even places of a 6-bit number, as a 3-bit number.
+static uint32_t every_other_bit(uint32_t code) {
+    return (code & 1) | (code >> 1 & 2) | (code >> 2 & 4);
+}
+
+std::vector<uint32_t> pixel_order(uint32_t width, uint32_t height) {
+    constexpr uint32_t TILE = 8;
+    std::vector<uint32_t> order;
+    order.reserve(size_t(width) * height);
+    for (uint32_t tile_y = 0; tile_y < height; tile_y += TILE)
+        for (uint32_t tile_x = 0; tile_x < width; tile_x += TILE)
+            for (uint32_t code = 0; code < TILE * TILE; code++) {
+                const uint32_t x = tile_x + every_other_bit(code);
+                const uint32_t y = tile_y + every_other_bit(code >> 1);
+                if (x < width && y < height) order.push_back(x | y << 16);
+            }
+    return order;
+}
+
+} // namespace onde

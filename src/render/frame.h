@@ -1,0 +1,19 @@
+// The FrameRecord of a camera and options.
+#pragma once
+
+#include "render/options.h"
+#include "shared/frame.h"
+#include "upload/pack.h"
+
+#include <vector>
+
+namespace onde {
+
+FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
+                       const RenderOptions& options);
+
+/// Every pixel of the film as x | y << 16: 8x8 tiles row by row, Morton order inside, so that
+/// neighbours in a wave are neighbours in the picture.
+std::vector<uint32_t> pixel_order(uint32_t width, uint32_t height);
+
+} // namespace onde

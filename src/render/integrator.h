@@ -1,0 +1,40 @@
+// What renders a picture: a scene, a device and options in, samples on a film out.
+#pragma once
+
+#include "render/engine.h"
+
+#include <functional>
+#include <memory>
+
+namespace onde {
+
+/// Numbers of a render so far.
+struct RayCounts {
+    std::vector<uint64_t> extension, shadow; ///< by bounce, trailing zeros cut off
+    uint64_t total() const;
+};
+
+class Integrator {
+  public:
+    virtual ~Integrator() = default;
+
+    /// Adds samples first .. first + count - 1 of every pixel; `count` must be a power of two of at
+    /// most max_samples(). Calls `keep_going` between waves with the share of the pass that is
+    /// done, and stops early when it returns false.
+    virtual void render_pass(uint32_t first, uint32_t count,
+                             const std::function<bool(double)>& keep_going) = 0;
+    virtual uint32_t max_samples() const = 0;
+
+    virtual const Film& film() const = 0;
+    virtual RayCounts ray_counts() const = 0;
+    virtual const gpu::BuildReport& build_report() const = 0;
+    virtual uint64_t state_bytes() const = 0;
+};
+
+/// The path tracer. The scene and device outlive it.
+std::unique_ptr<Integrator>
+make_path_integrator(const gpu::Device& device, const gpu::KernelSources& sources,
+                     const gpu::ProgramCache* cache, const DeviceScene& scene, const Camera& camera,
+                     const RenderOptions& options, gpu::Profiler* profiler = nullptr);
+
+} // namespace onde

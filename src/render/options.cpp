@@ -1,0 +1,35 @@
+#include "render/options.h"
+
+#include "core/error.h"
+#include "shared/frame.h"
+
+#include <bit>
+
+namespace onde {
+
+static void check_range(const char* name, uint64_t value, uint64_t low, uint64_t high) {
+    if (value < low || value > high)
+        throw InputError("{} {} is out of range; use {} to {}", name, value, low, high);
+}
+
+void check_options(const RenderOptions& options, const Scene& scene) {
+    check_range("width", options.width, 1, 65535);
+    check_range("height", options.height, 1, 65535);
+    check_range("width x height", uint64_t(options.width) * options.height, 1, 1u << 28);
+    check_range("samples per pixel", options.samples, 1, 1u << 24);
+    check_range("depth", options.depth, 1, COUNTER_BOUNCES - 1);
+    check_range("camera", options.camera, 0, scene.cameras.size() - 1);
+    const gpu::DeviceSettings& s = options.settings;
+    if (s.width != 1 && s.width != 8 && s.width != 16)
+        throw InputError("width {} of lanes is not one of 1, 8, 16", s.width);
+    check_range("wave size", s.wave_size, s.width, 1u << 26);
+    check_range("chunk", s.chunk, s.width, s.wave_size);
+    if (s.chunk % s.width || !std::has_single_bit(s.chunk))
+        throw InputError("chunk {} is not a power of two that {} divides", s.chunk, s.width);
+    if (s.wave_size % s.chunk)
+        throw InputError("wave size {} is not a multiple of the chunk, {}", s.wave_size, s.chunk);
+    if (s.launch == gpu::Launch::fused && s.queue == gpu::QueueKind::global)
+        throw InputError("fused launches work on chunk-local queues only; use --launch staged");
+}
+
+} // namespace onde

@@ -1,0 +1,34 @@
+// What to render and how, once every default is filled in.
+#pragma once
+
+#include "gpu/settings.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <string>
+
+namespace onde {
+
+enum class Engine {
+    wavefront,  ///< stages over queues of rays, staged or fused as the device settings say
+    megakernel, ///< the whole path in one kernel
+};
+
+struct RenderOptions {
+    uint32_t width = 800, height = 600; ///< pixels, each in [1, 65535]
+    uint32_t samples = 64;              ///< per pixel, >= 1
+    double seconds = 0;                 ///< stop after about that long; 0: no limit
+    uint32_t depth = 8;                 ///< the most surfaces a path visits, in [1, 64]
+    uint32_t roulette_start = 3;        ///< first bounce at which Russian roulette may end a path
+    uint32_t seed = 0;
+    Filter filter = Filter::blackman_harris;
+    uint32_t camera = 0; ///< index into the scene's cameras
+    Engine engine = Engine::wavefront;
+    gpu::DeviceSettings settings;
+    uint32_t samples_in_flight = 16; ///< the most of one pixel in one wave; a power of two
+};
+
+/// Throws InputError unless every value is in its range for this scene.
+void check_options(const RenderOptions& options, const Scene& scene);
+
+} // namespace onde

@@ -1,0 +1,76 @@
+// The path tracer: cuts passes into waves and gives them to an engine.
+#include "render/integrator.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace onde {
+
+uint64_t RayCounts::total() const {
+    return std::accumulate(extension.begin(), extension.end(), uint64_t(0)) +
+           std::accumulate(shadow.begin(), shadow.end(), uint64_t(0));
+}
+
+namespace {
+
+class PathIntegrator : public Integrator {
+  public:
+    PathIntegrator(const gpu::Device& device, const gpu::KernelSources& sources,
+                   const gpu::ProgramCache* cache, const DeviceScene& scene, const Camera& camera,
+                   const RenderOptions& options, gpu::Profiler* profiler)
+        : device_(device), options_(options), film_(device, options.width, options.height),
+          engine_(make_engine({device, sources, cache, scene, film_, camera, options_, profiler})) {
+    }
+
+    void render_pass(uint32_t first, uint32_t count,
+                     const std::function<bool(double)>& keep_going) override {
+        const uint32_t pixels = options_.width * options_.height;
+        const uint32_t pixels_per_wave = engine_->wave_capacity() / count;
+        for (uint32_t begin = 0; begin < pixels; begin += pixels_per_wave) {
+            const uint32_t end = std::min(begin + pixels_per_wave, pixels);
+            engine_->render_wave({begin, end - begin, first, count});
+            device_.finish();
+            if (!keep_going(double(end) / pixels)) return;
+        }
+    }
+
+    uint32_t max_samples() const override {
+        return std::bit_floor(std::min(
+            {options_.samples_in_flight, engine_->sample_capacity(), engine_->wave_capacity()}));
+    }
+
+    const Film& film() const override { return film_; }
+    const gpu::BuildReport& build_report() const override { return engine_->build_report(); }
+    uint64_t state_bytes() const override { return engine_->state_bytes(); }
+
+    RayCounts ray_counts() const override {
+        const std::vector<uint64_t> table = engine_->counters();
+        return {row(table, COUNTER_EXTENSION), row(table, COUNTER_SHADOW)};
+    }
+
+  private:
+    static std::vector<uint64_t> row(const std::vector<uint64_t>& table, uint32_t index) {
+        const auto begin = table.begin() + index * COUNTER_BOUNCES;
+        std::vector<uint64_t> counts(begin, begin + COUNTER_BOUNCES);
+        while (!counts.empty() && counts.back() == 0) counts.pop_back();
+        return counts;
+    }
+
+    const gpu::Device& device_;
+    RenderOptions options_;
+    Film film_;
+    std::unique_ptr<EngineDriver> engine_;
+};
+
+} // namespace
+
+std::unique_ptr<Integrator>
+make_path_integrator(const gpu::Device& device, const gpu::KernelSources& sources,
+                     const gpu::ProgramCache* cache, const DeviceScene& scene, const Camera& camera,
+                     const RenderOptions& options, gpu::Profiler* profiler) {
+    return std::make_unique<PathIntegrator>(device, sources, cache, scene, camera, options,
+                                            profiler);
+}
+
+} // namespace onde

@@ -1,0 +1,73 @@
+#include "render/render_loop.h"
+
+#include "core/timer.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace onde {
+namespace {
+
+/// Decides when to report, and what.
+class Reporter {
+  public:
+    Reporter(Integrator& integrator, const RenderOptions& options,
+             const std::function<void(const Progress&)>& report, double per_second)
+        : integrator_(integrator), options_(options), report_(report), interval_(1 / per_second) {}
+
+    double seconds() const { return timer_.seconds(); }
+
+    void wave_done(double samples, bool always = false) {
+        const double now = timer_.seconds();
+        if (!always && now < next_) return;
+        next_ = now + interval_;
+        Progress progress;
+        progress.samples = samples;
+        progress.target_samples = options_.samples;
+        progress.seconds = now;
+        const double by_samples = samples / options_.samples;
+        const double by_time = options_.seconds > 0 ? now / options_.seconds : 0;
+        progress.fraction = std::min(1.0, std::max(by_samples, by_time));
+        progress.seconds_left = now * (1 - progress.fraction) / std::max(progress.fraction, 1e-9);
+        progress.rays_per_second = double(integrator_.ray_counts().total()) / std::max(now, 1e-9);
+        report_(progress);
+    }
+
+  private:
+    Integrator& integrator_;
+    const RenderOptions& options_;
+    const std::function<void(const Progress&)>& report_;
+    double interval_;
+    double next_ = 0;
+    Timer timer_;
+};
+
+} // namespace
+
+RenderOutcome render(Integrator& integrator, const RenderOptions& options,
+                     const std::atomic<bool>& stop,
+                     const std::function<void(const Progress&)>& report,
+                     double reports_per_second) {
+    Reporter reporter(integrator, options, report, reports_per_second);
+    RenderOutcome outcome;
+    uint32_t done = 0;
+    const auto time_left = [&] {
+        return options.seconds <= 0 || done == 0 || reporter.seconds() < options.seconds;
+    };
+    while (done < options.samples && !stop && time_left()) {
+        const uint32_t most = options.seconds > 0 ? 1 : integrator.max_samples();
+        const uint32_t count = std::min(most, std::bit_floor(options.samples - done));
+        integrator.render_pass(done, count, [&](double share) {
+            outcome.samples = done + share * count;
+            reporter.wave_done(outcome.samples);
+            return !stop;
+        });
+        done += count;
+    }
+    outcome.interrupted = stop;
+    outcome.seconds = reporter.seconds();
+    reporter.wave_done(outcome.samples, true);
+    return outcome;
+}
+
+} // namespace onde

@@ -1,0 +1,102 @@
+#include "upload/appearance.h"
+
+#include "core/error.h"
+#include "upload/alias_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace onde {
+
+static uint32_t texture_index(int32_t index) {
+    return index < 0 ? NO_INDEX : uint32_t(index);
+}
+
+std::vector<MaterialRecord> pack_materials(const Scene& scene) {
+    static_assert(uint32_t(MaterialKind::metallic_roughness) == MATERIAL_METALLIC_ROUGHNESS);
+    static_assert(uint32_t(MaterialKind::dielectric) == MATERIAL_DIELECTRIC);
+    static_assert(uint32_t(MaterialKind::conductor) == MATERIAL_CONDUCTOR);
+    std::vector<MaterialRecord> records;
+    for (const Material& m : scene.materials) {
+        MaterialRecord record{};
+        for (uint32_t k = 0; k < 3; k++) {
+            record.base_color[k] = m.base_color[k];
+            record.emission[k] = m.emission[k];
+        }
+        record.kind = uint32_t(m.kind);
+        record.roughness = m.roughness;
+        record.metallic = m.metallic;
+        record.ior = m.ior;
+        record.normal_scale = m.normal_scale;
+        record.two_sided = m.two_sided;
+        record.base_color_texture = texture_index(m.base_color_texture);
+        record.metallic_roughness_texture = texture_index(m.metallic_roughness_texture);
+        record.emission_texture = texture_index(m.emission_texture);
+        record.normal_texture = texture_index(m.normal_texture);
+        records.push_back(record);
+    }
+    return records;
+}
+
+PackedTextures pack_textures(const Scene& scene) {
+    PackedTextures packed;
+    for (const Texture& texture : scene.textures) {
+        const ByteImage& image = texture.image;
+        const size_t count = size_t(image.width) * image.height, offset = packed.texels.size();
+        if (offset + count > UINT32_MAX)
+            throw InputError(
+                "texture {}: all textures together exceed 2^32 texels; use smaller ones",
+                texture.name);
+        packed.records.push_back({uint32_t(offset),
+                                  image.width,
+                                  image.height,
+                                  uint32_t(texture.wrap_u),
+                                  uint32_t(texture.wrap_v),
+                                  {}});
+        packed.texels.resize(offset + count);
+        std::memcpy(&packed.texels[offset], image.rgba.data(), count * 4);
+    }
+    return packed;
+}
+
+std::vector<float> srgb_table() {
+    std::vector<float> table(256);
+    for (int i = 0; i < 256; i++) {
+        const double c = i / 255.0;
+        table[size_t(i)] = float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+    }
+    return table;
+}
+
+PackedEnvironment pack_environment(const Environment& environment) {
+    PackedEnvironment packed;
+    if (!environment.map) return packed;
+    const Image& map = *environment.map;
+    packed.width = map.width;
+    packed.height = map.height;
+    packed.pixels = map.pixels;
+    const auto brightness = [&](uint32_t x, uint32_t y) {
+        const auto p = map.pixel(x, y);
+        return double(p[0]) + p[1] + p[2];
+    };
+    std::vector<double> weights(size_t(map.width) * map.height);
+    for (uint32_t y = 0; y < map.height; y++) {
+        const double sine = std::sin(std::numbers::pi * (y + 0.5) / map.height);
+        const uint32_t rows[3] = {y > 0 ? y - 1 : 0, y, std::min(y + 1, map.height - 1)};
+        for (uint32_t x = 0; x < map.width; x++) {
+            const uint32_t columns[3] = {(x + map.width - 1) % map.width, x, (x + 1) % map.width};
+            double sum = 0; // the weights of bilinear filtering, averaged over the pixel
+            for (int j = 0; j < 3; j++)
+                for (int i = 0; i < 3; i++)
+                    sum += (j == 1 ? 0.75 : 0.125) * (i == 1 ? 0.75 : 0.125) *
+                           brightness(columns[i], rows[j]);
+            weights[size_t(y) * map.width + x] = sine * sum;
+        }
+    }
+    packed.alias = build_alias_table(weights);
+    return packed;
+}
+
+} // namespace onde

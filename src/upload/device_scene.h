@@ -1,0 +1,37 @@
+// The scene's buffers on the device. Owns them, binds them, knows nothing of frames or waves.
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "upload/pack.h"
+
+namespace onde {
+
+/// Keeps the packed scene alive, since a CPU device uses its memory in place. Move-only.
+class DeviceScene {
+  public:
+    DeviceScene(const gpu::Device& device, PackedScene packed);
+
+    const PackedScene& packed() const { return packed_; }
+
+    /// Binds the scene's parameters of a kernel (SCENE_PARAMETERS of kernels/lib/scene_view.h but
+    /// for the first, the frame) from argument `first` on; returns the next index.
+    uint32_t bind(gpu::Kernel& kernel, uint32_t first) const;
+
+  private:
+    PackedScene packed_;
+    gpu::Buffer<BvhNode> nodes_;
+    gpu::Buffer<TriangleBlock> blocks_;
+    gpu::Buffer<BvhSphere> spheres_;
+    gpu::Buffer<BvhInstance> instances_;
+    gpu::Buffer<SurfaceRecord> surfaces_;
+    gpu::Buffer<MaterialRecord> materials_;
+    gpu::Buffer<LightRecord> lights_;
+    gpu::Buffer<TextureRecord> textures_;
+    gpu::Buffer<uint32_t> texels_;
+    gpu::Buffer<float> srgb_;
+    gpu::Buffer<float> environment_;
+    gpu::Buffer<AliasRecord> environment_alias_;
+};
+
+} // namespace onde

@@ -1,0 +1,15 @@
+// The host's half of the layout contract: sizes and offsets that the probe kernel of the tests
+// compares with the device's.
+#include "shared/bvh.h"
+#include "shared/frame.h"
+#include "shared/scene.h"
+
+#include <cstddef>
+
+static_assert(sizeof(BvhNode) == 512 && offsetof(BvhNode, child) == 384);
+static_assert(sizeof(TriangleBlock) == 320 && offsetof(TriangleBlock, primitive) == 288);
+static_assert(sizeof(BvhSphere) == 32 && sizeof(BvhInstance) == 128);
+static_assert(sizeof(MaterialRecord) == 64 && sizeof(SurfaceRecord) == 64);
+static_assert(sizeof(LightRecord) == 80 && sizeof(TextureRecord) == 32 &&
+              sizeof(AliasRecord) == 16);
+static_assert(sizeof(FrameRecord) % 16 == 0 && offsetof(FrameRecord, filter_table) % 16 == 0);

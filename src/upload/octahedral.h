@@ -1,0 +1,15 @@
+// Unit vectors in 32 bits. The decoder is kernels/lib/math.h.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace onde {
+
+/// Two signed 16-bit octahedral coordinates, x low (Cigolle et al. 2014, A Survey of Efficient
+/// Representations for Independent Unit Vectors). The zero vector is taken as +Z. Error below
+/// 5e-5 radians.
+uint32_t encode_octahedral(glm::vec3 unit);
+
+} // namespace onde

@@ -1,0 +1,62 @@
+#include "upload/pack.h"
+
+#include "upload/geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace onde {
+
+std::vector<std::string> SceneFeatures::defines() const {
+    return {fmt::format("ONDE_INSTANCES={:d}", instances),
+            fmt::format("ONDE_SPHERES={:d}", spheres),
+            fmt::format("ONDE_TEXTURES={:d}", textures),
+            fmt::format("ONDE_NORMAL_MAPS={:d}", normal_maps),
+            fmt::format("ONDE_DIELECTRICS={:d}", dielectrics),
+            fmt::format("ONDE_ENVIRONMENT={:d}", environment),
+            fmt::format("ONDE_STACK_SIZE={}", stack_size)};
+}
+
+static SceneFeatures find_features(const Scene& scene, const PackedScene& packed) {
+    SceneFeatures features;
+    features.instances = packed.bvh.has_instances;
+    features.spheres = !scene.spheres.empty();
+    features.textures = !scene.textures.empty();
+    for (const Material& material : scene.materials) {
+        features.normal_maps |= material.normal_texture != NO_TEXTURE;
+        features.dielectrics |= material.kind == MaterialKind::dielectric;
+    }
+    features.environment = packed.environment_light != NO_INDEX;
+    // Rounded up, so that scenes of similar depth share a compiled program.
+    features.stack_size = std::max(64u, (packed.bvh.stack_size + 31) / 32 * 32);
+    return features;
+}
+
+uint64_t PackedScene::device_bytes() const {
+    const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
+    return bytes(bvh.nodes) + bytes(bvh.blocks) + bytes(bvh.spheres) + bytes(bvh.instances) +
+           bytes(surfaces) + bytes(materials) + bytes(lights) + bytes(textures.records) +
+           bytes(textures.texels) + bytes(srgb) + bytes(environment_map.pixels) +
+           bytes(environment_map.alias);
+}
+
+PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
+    FlatGeometry flat = flatten_geometry(scene);
+    PackedScene packed;
+    packed.bvh = build_bvh(flat.geometries, flat.placements, options);
+    LightList lights = build_lights(scene, flat);
+    packed.lights = std::move(lights.records);
+    packed.environment_light = lights.environment;
+    packed.surfaces = std::move(flat.surfaces);
+    packed.materials = pack_materials(scene);
+    packed.textures = pack_textures(scene);
+    packed.srgb = srgb_table();
+    packed.environment.radiance = scene.environment.radiance;
+    packed.environment.rotation = scene.environment.rotation;
+    packed.environment_map = pack_environment(scene.environment);
+    packed.features = find_features(scene, packed);
+    return packed;
+}
+
+} // namespace onde

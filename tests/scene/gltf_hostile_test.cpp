@@ -1,0 +1,233 @@
+// Files that a renderer must refuse with a sentence that names the file and the culprit.
+#include "scratch.h"
+
+using namespace onde;
+using onde::test::bytes_of;
+using onde::test::load_error;
+using onde::test::ScratchFolder;
+
+namespace {
+
+/// The parts of a valid file of one triangle; each case spoils one of them.
+struct Parts {
+    std::string asset = R"({"version": "2.0"})";
+    std::string nodes = R"([{"mesh": 0}])";
+    std::string roots = "[0]";
+    std::string primitive = R"("attributes": {"POSITION": 0}, "indices": 1)";
+    std::string buffers = R"([{"uri": "t.bin", "byteLength": 42}])";
+    std::string views = R"([{"buffer": 0, "byteLength": 36},
+                           {"buffer": 0, "byteOffset": 36, "byteLength": 6}])";
+    std::string positions =
+        R"({"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"})";
+    std::string indices =
+        R"({"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"})";
+    std::string extra;
+    std::string bytes =
+        bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) + bytes_of<uint16_t>({0, 1, 2});
+
+    std::string json() const {
+        return "{\"asset\": " + asset + ", \"scenes\": [{\"nodes\": " + roots +
+               "}], \"nodes\": " + nodes + ", \"meshes\": [{\"primitives\": [{" + primitive +
+               "}]}], \"buffers\": " + buffers + ", \"bufferViews\": " + views +
+               ", \"accessors\": [" + positions + ", " + indices + "]" + extra + "}";
+    }
+};
+
+std::string error_of(const Parts& parts) {
+    ScratchFolder folder;
+    folder.write("t.bin", parts.bytes);
+    const std::string error = load_error(folder.write("evil.gltf", parts.json()));
+    if (!error.empty()) CHECK_THAT(error, Catch::Contains("evil.gltf"));
+    return error;
+}
+
+Parts with(std::string Parts::*part, const std::string& text) {
+    Parts parts;
+    parts.*part = text;
+    return parts;
+}
+
+std::string little_endian(uint32_t value) {
+    return bytes_of<uint32_t>({value});
+}
+
+/// A GLB whose header claims `length` (or its true length if 0) and whose chunks are as given.
+std::string glb(std::string json, const std::string& rest, uint32_t length = 0,
+                uint32_t json_length = 0) {
+    while (json.size() % 4) json += ' ';
+    const uint32_t total = uint32_t(20 + json.size() + rest.size());
+    return "glTF" + little_endian(2) + little_endian(length ? length : total) +
+           little_endian(json_length ? json_length : uint32_t(json.size())) + "JSON" + json + rest;
+}
+
+} // namespace
+
+TEST_CASE("the file that every hostile case spoils is itself valid") {
+    CHECK(error_of({}).empty());
+}
+
+TEST_CASE("hostile glTF numbers are refused with their place") {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::string nan_bytes =
+        bytes_of<float>({0, 0, 0, nan, 0, 0, 0, 1, 0}) + bytes_of<uint16_t>({0, 1, 2});
+    const std::string index_bytes =
+        bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) + bytes_of<uint16_t>({0, 1, 3});
+    struct Case {
+        Parts parts;
+        std::string culprit;
+    };
+    const Case cases[] = {
+        {with(&Parts::bytes, nan_bytes), "POSITION: element 1 is not finite"},
+        {with(&Parts::bytes, index_bytes), "index 2 is 3, but there are 3 positions"},
+        {with(&Parts::positions,
+              R"({"bufferView": 0, "componentType": 5126, "count": 4000000000, "type": "VEC3"})"),
+         "4000000000 elements overrun buffer view 0"},
+        // 12 * (2^64 / 12 + 1) wraps to 8 bytes.
+        {with(
+             &Parts::positions,
+             R"({"bufferView": 0, "componentType": 5126, "count": 1537228672809129302, "type": "VEC3"})"),
+         "overrun buffer view 0"},
+        {with(&Parts::positions, R"({"bufferView": 0, "componentType": 5126, "count": 3,
+              "type": "VEC3", "byteOffset": 18446744073709551612})"),
+         "overrun buffer view 0"},
+        {with(&Parts::positions, R"({"componentType": 5126, "count": 4000000000, "type": "VEC3"})"),
+         "claims 4000000000 elements but has no data"},
+        {with(&Parts::positions,
+              R"({"bufferView": 7, "componentType": 5126, "count": 3, "type": "VEC3"})"),
+         "buffer view 7, but there are 2"},
+        {with(&Parts::positions,
+              R"({"bufferView": 0, "componentType": 5130, "count": 3, "type": "VEC3"})"),
+         "component type 5130"},
+        {with(&Parts::positions,
+              R"({"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC4"})"),
+         "must have 3 components"},
+        {with(&Parts::indices,
+              R"({"bufferView": 1, "componentType": 5126, "count": 1, "type": "SCALAR"})"),
+         "not an unsigned integer"},
+        {with(&Parts::views, R"([{"buffer": 0, "byteLength": 4000},
+              {"buffer": 0, "byteOffset": 36, "byteLength": 6}])"),
+         "buffer view 0 overruns its buffer"},
+        {with(&Parts::views,
+              R"([{"buffer": 0, "byteOffset": 18446744073709551615, "byteLength": 36},
+              {"buffer": 0, "byteOffset": 36, "byteLength": 6}])"),
+         "buffer view 0 overruns its buffer"},
+        {with(&Parts::views, R"([{"buffer": 9, "byteLength": 36},
+              {"buffer": 0, "byteOffset": 36, "byteLength": 6}])"),
+         "buffer 9, but there are 1"},
+        {with(&Parts::primitive, R"("attributes": {"POSITION": 12}, "indices": 1)"),
+         "accessor 12, but there are 2"},
+        {with(&Parts::primitive, R"("attributes": {"POSITION": 0}, "indices": 12)"),
+         "out of bounds"},
+        {with(&Parts::primitive, R"("attributes": {"POSITION": 0}, "material": 3)"),
+         "material 3, but there are 0"},
+    };
+    for (const Case& c : cases) {
+        INFO(c.culprit);
+        CHECK_THAT(error_of(c.parts), Catch::Contains(c.culprit));
+    }
+}
+
+TEST_CASE("hostile glTF node trees are refused with the node") {
+    struct Case {
+        Parts parts;
+        std::string culprit;
+    };
+    Parts two_parents =
+        with(&Parts::nodes, R"([{"children": [2]}, {"children": [2]}, {"mesh": 0}])");
+    two_parents.roots = "[0, 1]";
+    std::string chain = "[";
+    for (int i = 0; i < 6000; ++i) chain += "{\"children\": [" + std::to_string(i + 1) + "]}, ";
+    const Case cases[] = {
+        {with(&Parts::nodes, R"([{"children": [1]}, {"children": [0], "mesh": 0}])"), "node 0"},
+        {with(&Parts::nodes, R"([{"children": [0], "mesh": 0}])"), "node 0"},
+        {two_parents, "node 2: it is reached twice"},
+        {with(&Parts::nodes, chain + R"({"mesh": 0}])"), "nested more than"},
+        {with(&Parts::nodes, R"([{"children": [5], "mesh": 0}])"), "node 5, but there are 1"},
+        {with(&Parts::nodes, R"([{"children": [-1], "mesh": 0}])"), "node -1"},
+        {with(&Parts::nodes, R"([{"mesh": 4}])"), "mesh 4, but there are 1"},
+        {with(&Parts::nodes, R"([{"mesh": 0, "camera": 4}])"), "camera 4, but there are 0"},
+        {with(&Parts::nodes, R"([{"mesh": 0, "rotation": [0, 0, 0, 0]}])"), "rotation"},
+        {with(&Parts::nodes, R"([{"mesh": 0, "scale": [1e300, 1e300, 1e300]}])"),
+         "transform is not finite"},
+        {with(&Parts::nodes,
+              R"([{"mesh": 0, "matrix": [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}])"),
+         "not affine"},
+        {with(&Parts::roots, "[3]"), "node 3"},
+        {with(&Parts::roots, "[]"), "empty"},
+    };
+    for (const Case& c : cases) {
+        INFO(c.culprit);
+        CHECK_THAT(error_of(c.parts), Catch::Contains(c.culprit));
+    }
+}
+
+TEST_CASE("a glTF file may not refer to files out of its folder") {
+    ScratchFolder outside;
+    const std::string secret = outside.write("t.bin", Parts().bytes).string();
+    for (const std::string uri : {"../t.bin", "%2e%2e/t.bin", "a/../../t.bin", "%2e%2e%2ft.bin"}) {
+        INFO(uri);
+        CHECK_THAT(
+            error_of(with(&Parts::buffers, "[{\"uri\": \"" + uri + "\", \"byteLength\": 42}]")),
+            Catch::Contains("leaves the scene's folder"));
+    }
+    CHECK_THAT(
+        error_of(with(&Parts::buffers, "[{\"uri\": \"" + secret + "\", \"byteLength\": 42}]")),
+        Catch::Contains("absolute"));
+}
+
+TEST_CASE("a symbolic link doesn't lead out of the scene's folder") {
+    ScratchFolder folder, outside;
+    std::filesystem::create_symlink(outside.write("t.bin", Parts().bytes), folder.path() / "t.bin");
+    CHECK_THAT(load_error(folder.write("evil.gltf", Parts().json())),
+               Catch::Contains("leaves the scene's folder"));
+}
+
+TEST_CASE("missing buffers and textures are named") {
+    CHECK_THAT(error_of(with(&Parts::buffers, R"([{"uri": "gone.bin", "byteLength": 42}])")),
+               Catch::Contains("gone.bin"));
+    Parts parts = with(&Parts::extra, R"(, "materials": [{"pbrMetallicRoughness":
+        {"baseColorTexture": {"index": 0}}}], "textures": [{"source": 0}],
+        "images": [{"uri": "gone.png"}])");
+    parts.primitive += R"(, "material": 0)";
+    ScratchFolder folder;
+    folder.write("t.bin", parts.bytes);
+    CHECK_THAT(load_error(folder.write("evil.gltf", parts.json())), Catch::Contains("gone.png"));
+    folder.write("gone.png", "no picture at all");
+    CHECK_THAT(load_error(folder.path() / "evil.gltf"), Catch::Contains("gone.png"));
+}
+
+TEST_CASE("what a glTF file requires and Onde lacks is named") {
+    CHECK_THAT(
+        error_of(with(&Parts::extra, R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])")),
+        Catch::Contains("KHR_draco_mesh_compression"));
+    CHECK_THAT(error_of(with(&Parts::asset, R"({"version": "1.0"})")), Catch::Contains("'1.0'"));
+}
+
+TEST_CASE("JSON nested a million deep is refused") {
+    const std::string deep(1000000, '[');
+    CHECK_THAT(error_of(with(&Parts::extra, ", \"extras\": " + deep)), Catch::Contains("nested"));
+}
+
+TEST_CASE("damaged binary glTF containers are refused") {
+    const std::string json = Parts().json();
+    const std::string bin = little_endian(44) + std::string("BIN\0", 4) + Parts().bytes + "\0\0";
+    struct Case {
+        std::string bytes, culprit;
+    };
+    const Case cases[] = {
+        {"", "shorter"},
+        {"glTF", "shorter"},
+        {"PK\3\4 this is no glTF at all", "glTF"},
+        {glb(json, "", 5000000), "truncated"},
+        {glb(json, "", 0, 4000000000u), "overruns"},
+        {glb(json, little_endian(0xfffffff0u) + std::string("BIN\0", 4)), "overruns"},
+        {glb(json, "").substr(0, 300), "truncated"},
+        {glb("{", ""), "not valid glTF"},
+    };
+    for (const Case& c : cases) {
+        ScratchFolder folder;
+        const std::string error = load_error(folder.write("evil.glb", c.bytes));
+        CHECK_THAT(error, Catch::Contains("evil.glb"));
+        CHECK_THAT(error, Catch::Contains(c.culprit));
+    }
+}

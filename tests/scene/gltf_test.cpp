@@ -1,0 +1,235 @@
+#include "scene/load.h"
+#include "scratch.h"
+
+#include <cmath>
+
+using namespace onde;
+using onde::test::bytes_of;
+using onde::test::ScratchFolder;
+
+namespace {
+
+/// A quad of 4 positions (48 bytes), then 6 16-bit indices (12 bytes), then 4 uvs (32 bytes).
+std::string quad_bytes() {
+    return bytes_of<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) +
+           bytes_of<uint16_t>({0, 1, 2, 0, 2, 3}) + bytes_of<float>({0, 1, 1, 1, 1, 0, 0, 0});
+}
+
+/// A glTF file of that quad; `extra` goes into the root, `primitive` into its primitive, `nodes` is
+/// the list of nodes, all of them roots.
+std::string quad_gltf(const std::string& nodes = R"([{"mesh": 0}])",
+                      const std::string& primitive = "", const std::string& extra = "",
+                      const std::string& roots = "[0]") {
+    return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": )" + roots +
+           R"(}], "nodes": )" + nodes + R"(, "meshes": [{"primitives": [{"indices": 1)" +
+           primitive +
+           R"(, "attributes": {"POSITION": 0, "TEXCOORD_0": 2}}]}],
+  "buffers": [{"uri": "quad.bin", "byteLength": 92}],
+  "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12},
+                  {"buffer": 0, "byteOffset": 60, "byteLength": 32}],
+  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"},
+                {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2"}])" +
+           extra + "}";
+}
+
+Scene load_quad(const std::string& gltf) {
+    ScratchFolder folder;
+    folder.write("quad.bin", quad_bytes());
+    folder.write("blue.png", test::blue_png());
+    return load_scene(folder.write("quad.gltf", gltf));
+}
+
+bool has_note(const Scene& scene, const std::string& text) {
+    for (const std::string& note : scene.notes)
+        if (note.find(text) != std::string::npos) return true;
+    return false;
+}
+
+/// A mesh of the given floats as non-indexed positions in that primitive mode.
+Scene load_positions(std::initializer_list<float> positions, int mode) {
+    ScratchFolder folder;
+    folder.write("p.bin", bytes_of<float>(positions));
+    const std::string bytes = std::to_string(positions.size() * 4);
+    return load_scene(
+        folder.write("p.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
+  "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": )" +
+                                   std::to_string(mode) + R"(}]}],
+  "buffers": [{"uri": "p.bin", "byteLength": )" +
+                                   bytes + R"(}],
+  "bufferViews": [{"buffer": 0, "byteLength": )" +
+                                   bytes + R"(}],
+  "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": )" +
+                                   std::to_string(positions.size() / 3) + "}]}"));
+}
+
+} // namespace
+
+TEST_CASE("an indexed glTF quad becomes two triangles with its positions and uvs") {
+    const Scene scene = load_quad(quad_gltf());
+    REQUIRE(scene.meshes.size() == 1);
+    const Mesh& mesh = scene.meshes[0];
+    CHECK(mesh.triangles == std::vector{glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 3)});
+    CHECK(mesh.positions[2] == glm::vec3(1, 1, 0));
+    CHECK(mesh.uvs[3] == glm::vec2(0, 0));
+    CHECK(mesh.normals.empty());
+    CHECK(scene.materials[mesh.materials[0]].kind == MaterialKind::metallic_roughness);
+}
+
+TEST_CASE("children inherit their parents' translation, rotation and scale") {
+    const Scene scene = load_quad(quad_gltf(
+        R"([{"children": [1], "translation": [10, 0, 0]},
+            {"mesh": 0, "rotation": [0, 0, 0.70710678, 0.70710678], "scale": [2, 3, 4]}])"));
+    REQUIRE(scene.instances.size() == 1);
+    // Scale first: (1, 1, 1) -> (2, 3, 4); a quarter turn about Z: (-3, 2, 4); then moved.
+    const glm::vec3 moved(scene.instances[0].object_to_world * glm::vec4(1, 1, 1, 1));
+    CHECK(glm::length(moved - glm::vec3(7, 2, 4)) < 1e-5f);
+}
+
+TEST_CASE("two nodes with one mesh are two instances of it") {
+    const Scene scene = load_quad(
+        quad_gltf(R"([{"mesh": 0}, {"mesh": 0, "scale": [-1, 1, 1]}])", "", "", "[0, 1]"));
+    CHECK(scene.meshes.size() == 1);
+    REQUIRE(scene.instances.size() == 2);
+    CHECK(glm::determinant(scene.instances[1].object_to_world) == Approx(-1.0));
+}
+
+TEST_CASE("triangle strips turn every second triangle and fans share their first vertex") {
+    const auto points = {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 1.f, 1.f, 0.f};
+    const Scene strip = load_positions(points, 5), fan = load_positions(points, 6);
+    CHECK(strip.meshes[0].triangles == std::vector{glm::uvec3(0, 1, 2), glm::uvec3(1, 3, 2)});
+    CHECK(fan.meshes[0].triangles == std::vector{glm::uvec3(1, 2, 0), glm::uvec3(2, 3, 0)});
+}
+
+TEST_CASE("normalised integer texture coordinates become fractions") {
+    ScratchFolder folder;
+    folder.write("m.bin", bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) +
+                              bytes_of<uint8_t>({0, 255, 0, 0, 51, 0, 0, 0, 255, 255, 0, 0}));
+    const Scene scene = load_scene(folder.write("m.gltf", R"({"asset": {"version": "2.0"},
+  "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+  "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}}]}],
+  "buffers": [{"uri": "m.bin", "byteLength": 48}],
+  "bufferViews": [{"buffer": 0, "byteLength": 36},
+                  {"buffer": 0, "byteOffset": 36, "byteLength": 12, "byteStride": 4}],
+  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                {"bufferView": 1, "componentType": 5121, "count": 3, "type": "VEC2",
+                 "normalized": true}]})"));
+    CHECK(scene.meshes[0].uvs[0] == glm::vec2(0, 1));
+    CHECK(scene.meshes[0].uvs[1].x == Approx(0.2f));
+    CHECK(scene.meshes[0].uvs[2] == glm::vec2(1, 1));
+}
+
+TEST_CASE("a sparse accessor replaces the elements that it names") {
+    std::string gltf = quad_gltf();
+    const std::string view =
+        R"({"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3")";
+    // Index 2 (the third 16-bit index of the file) gets the second position (1, 0, 0).
+    gltf.replace(gltf.find(view), view.size(), view + R"(, "sparse": {"count": 1,
+        "indices": {"bufferView": 1, "byteOffset": 4, "componentType": 5123},
+        "values": {"bufferView": 0, "byteOffset": 12}})");
+    const Scene scene = load_quad(gltf);
+    CHECK(scene.meshes[0].positions[2] == glm::vec3(1, 0, 0));
+    CHECK(scene.meshes[0].positions[3] == glm::vec3(0, 1, 0));
+}
+
+TEST_CASE(
+    "glTF materials keep their factors, and a texture used for colour and data is stored twice") {
+    const Scene scene = load_quad(quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
+  "materials": [{"name": "paint", "emissiveFactor": [0.5, 0.25, 0],
+    "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}},
+    "pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.2, 0.3, 1], "metallicFactor": 0.4,
+      "roughnessFactor": 0.6, "baseColorTexture": {"index": 0},
+      "metallicRoughnessTexture": {"index": 0}}}],
+  "samplers": [{"wrapS": 33071, "wrapT": 33648}],
+  "textures": [{"source": 0, "sampler": 0}], "images": [{"uri": "blue.png"}])"));
+    const Material& paint = scene.materials[scene.meshes[0].materials[0]];
+    CHECK(paint.name == "paint");
+    CHECK(paint.base_color == glm::vec3(0.1f, 0.2f, 0.3f));
+    CHECK(paint.metallic == 0.4f);
+    CHECK(paint.roughness == 0.6f);
+    CHECK(paint.emission == glm::vec3(2, 1, 0));
+    REQUIRE(scene.textures.size() == 2);
+    const Texture& color = scene.textures[size_t(paint.base_color_texture)];
+    CHECK(color.srgb);
+    CHECK_FALSE(scene.textures[size_t(paint.metallic_roughness_texture)].srgb);
+    CHECK(color.wrap_u == Wrap::clamp);
+    CHECK(color.wrap_v == Wrap::mirror);
+    CHECK(color.image.rgba == std::vector<uint8_t>{64, 128, 255, 255});
+}
+
+TEST_CASE("an image that no material uses is never decoded") {
+    ScratchFolder folder;
+    folder.write("quad.bin", quad_bytes());
+    folder.write("bad.png", "this is no picture");
+    const std::string extra = R"(, "textures": [{"source": 0}], "images": [{"uri": "bad.png"}])";
+    CHECK(load_scene(folder.write("q.gltf", quad_gltf(R"([{"mesh": 0}])", "", extra)))
+              .textures.empty());
+}
+
+TEST_CASE("untextured transmission above one half becomes glass with its index of refraction") {
+    const Scene scene = load_quad(quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
+  "materials": [{"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1},
+                                "KHR_materials_ior": {"ior": 1.33}}}])"));
+    CHECK(scene.materials[0].kind == MaterialKind::dielectric);
+    CHECK(scene.materials[0].ior == Approx(1.33f));
+    CHECK(has_note(scene, "glass"));
+}
+
+TEST_CASE("alpha and unknown optional extensions are reported in notes") {
+    const Scene scene = load_quad(quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
+  "extensionsUsed": ["EXT_shiny"], "materials": [{"alphaMode": "BLEND"}])"));
+    CHECK(has_note(scene, "BLEND"));
+    CHECK(has_note(scene, "EXT_shiny"));
+}
+
+TEST_CASE("a glTF camera keeps its field of view and loses its node's scale") {
+    const Scene scene = load_quad(quad_gltf(
+        R"([{"mesh": 0}, {"camera": 0, "translation": [1, 2, 3], "scale": [5, 5, 5]}])", "",
+        R"(, "cameras": [{"type": "perspective", "name": "front",
+                          "perspective": {"yfov": 0.5, "znear": 0.1}}])",
+        "[0, 1]"));
+    REQUIRE(scene.cameras.size() == 1);
+    CHECK(scene.cameras[0].name == "front");
+    CHECK(scene.cameras[0].vertical_fov == 0.5f);
+    CHECK(scene.cameras[0].camera_to_world[0] == glm::vec4(1, 0, 0, 0));
+    CHECK(scene.cameras[0].camera_to_world[3] == glm::vec4(1, 2, 3, 1));
+}
+
+TEST_CASE("punctual lights shine from their nodes, directional ones along -Z") {
+    const Scene scene = load_quad(quad_gltf(
+        R"([{"mesh": 0},
+            {"translation": [0, 5, 0], "extensions": {"KHR_lights_punctual": {"light": 0}}},
+            {"extensions": {"KHR_lights_punctual": {"light": 1}}}])",
+        "", R"(, "extensionsUsed": ["KHR_lights_punctual"], "extensions": {"KHR_lights_punctual":
+            {"lights": [{"type": "point", "color": [1, 0.5, 0], "intensity": 8},
+                        {"type": "directional", "intensity": 2}]}})",
+        "[0, 1, 2]"));
+    REQUIRE(scene.point_lights.size() == 1);
+    CHECK(scene.point_lights[0].position == glm::vec3(0, 5, 0));
+    CHECK(scene.point_lights[0].intensity == glm::vec3(8, 4, 0));
+    REQUIRE(scene.directional_lights.size() == 1);
+    CHECK(scene.directional_lights[0].to_light == glm::vec3(0, 0, 1));
+    CHECK(scene.directional_lights[0].irradiance == glm::vec3(2));
+    CHECK_FALSE(scene.environment.map);
+}
+
+TEST_CASE("triangles without area load with a note") {
+    const Scene scene = load_positions({0, 0, 0, 1, 1, 1, 2, 2, 2, 0, 0, 0, 1, 0, 0, 0, 1, 0}, 4);
+    CHECK(scene.meshes[0].triangles.size() == 2);
+    CHECK(has_note(scene, "without area"));
+}
+
+TEST_CASE("an object that is scaled to nothing is skipped with a note") {
+    const Scene scene =
+        load_quad(quad_gltf(R"([{"mesh": 0}, {"mesh": 0, "scale": [0, 0, 0]}])", "", "", "[0, 1]"));
+    CHECK(scene.instances.size() == 1);
+    CHECK(has_note(scene, "skipped"));
+}
+
+TEST_CASE("names with spaces and percent signs are decoded") {
+    ScratchFolder folder;
+    folder.write("my quad+.bin", quad_bytes());
+    std::string gltf = quad_gltf();
+    gltf.replace(gltf.find("quad.bin"), 8, "my%20quad%2B.bin");
+    CHECK(load_scene(folder.write("q.gltf", gltf)).instances.size() == 1);
+}

@@ -9,7 +9,7 @@ namespace onde {
 
 /// Two signed 16-bit octahedral coordinates, x low (Cigolle et al. 2014, A Survey of Efficient
 /// Representations for Independent Unit Vectors). The zero vector is taken as +Z. Error below
-/// 5e-5 radians.
+/// 7e-5 radians.
 uint32_t encode_octahedral(glm::vec3 unit);
 
 } // namespace onde

@@ -1,0 +1,86 @@
+// Functions of kernels/lib called from tests: kernels/probe maps them over arrays on the device.
+#pragma once
+
+#include "gpu/program.h"
+#include "support/device.h"
+
+#include <bit>
+#include <string>
+#include <vector>
+
+namespace onde::test {
+
+/// Words by column: columns[k][i] is word k of item i.
+using Columns = std::vector<std::vector<float>>;
+
+/// An unsigned integer as a probe's input word, and back.
+inline float word(uint32_t a) {
+    return std::bit_cast<float>(a);
+}
+inline uint32_t from_word(float a) {
+    return std::bit_cast<uint32_t>(a);
+}
+
+/// What a probe has not written is this.
+inline constexpr float UNWRITTEN = -1234567.0f;
+
+/// The kernels are read from the checkout, so that an edit of one needs no new build of the tests.
+inline gpu::KernelSources kernel_sources() {
+    return gpu::KernelSources::folder(std::filesystem::path(ONDE_SOURCE_DIR) / "kernels");
+}
+
+/// Some probes of a file of kernels/probe, compiled at one width.
+class Probe {
+  public:
+    Probe(const std::string& file, uint32_t width, const std::vector<std::string>& names,
+          std::vector<std::string> defines = {})
+        : program_(gpu::build_program(device(), kernel_sources(),
+                                      request(file, width, names, std::move(defines)), nullptr)) {}
+
+    /// All `words` output columns that probe `name` writes, over the items of `in`, which has at
+    /// least one column. `bind` sets the arguments between `count` and the columns and returns the
+    /// next.
+    template <class Bind>
+    Columns run(const std::string& name, const Columns& in, size_t words, const Bind& bind) {
+        const size_t items = in[0].size(), padded = (items + ITEMS - 1) / ITEMS * ITEMS;
+        std::vector<float> flat;
+        flat.reserve(in.size() * padded);
+        for (const std::vector<float>& column : in) {
+            flat.insert(flat.end(), column.begin(), column.end());
+            flat.insert(flat.end(), padded - items, column.back());
+        }
+        const gpu::Buffer<float> input(device(), std::span<const float>(flat));
+        gpu::Buffer<float> output(device(), words * padded);
+        output.fill(device(), UNWRITTEN);
+        gpu::Kernel& kernel = program_.kernel("probe_" + name);
+        kernel.set(0, uint32_t(padded));
+        kernel.set_from(bind(kernel, 1u), input, output);
+        kernel.launch(padded / ITEMS);
+        const std::vector<float> all = output.read(device());
+        Columns out;
+        for (size_t k = 0; k < words; k++) {
+            const auto column = all.begin() + ptrdiff_t(k * padded);
+            out.emplace_back(column, column + ptrdiff_t(items));
+        }
+        return out;
+    }
+    Columns run(const std::string& name, const Columns& in, size_t words) {
+        return run(name, in, words, [](gpu::Kernel&, uint32_t next) { return next; });
+    }
+
+  private:
+    static constexpr size_t ITEMS = 16; // PROBE_ITEMS of kernels/probe/probe.h
+
+    static gpu::ProgramRequest request(const std::string& file, uint32_t width,
+                                       const std::vector<std::string>& names,
+                                       std::vector<std::string> defines) {
+        defines.push_back(fmt::format("ONDE_WIDTH={}", width));
+        gpu::ProgramRequest request{"probe/" + file, std::move(defines), {}};
+        for (const std::string& name : names) request.kernels.push_back({"probe_" + name, 1});
+        return request;
+    }
+
+    gpu::Program program_;
+};
+
+} // namespace onde::test

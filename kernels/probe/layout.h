@@ -1,0 +1,104 @@
+// Every field of every shared struct, once, for both compilers: SIZE(Type) and OFFSET(Type, field)
+// are the includer's.
+#ifndef ONDE_PROBE_LAYOUT_H
+#define ONDE_PROBE_LAYOUT_H
+
+#include "shared/bvh.h"
+#include "shared/frame.h"
+#include "shared/scene.h"
+
+#define SHARED_LAYOUT(SIZE, OFFSET)                                                                \
+    SIZE(BvhNode)                                                                                  \
+    OFFSET(BvhNode, low_x)                                                                         \
+    OFFSET(BvhNode, high_x)                                                                        \
+    OFFSET(BvhNode, low_y)                                                                         \
+    OFFSET(BvhNode, high_y)                                                                        \
+    OFFSET(BvhNode, low_z)                                                                         \
+    OFFSET(BvhNode, high_z)                                                                        \
+    OFFSET(BvhNode, child)                                                                         \
+    OFFSET(BvhNode, unused)                                                                        \
+    SIZE(TriangleBlock)                                                                            \
+    OFFSET(TriangleBlock, v0_x)                                                                    \
+    OFFSET(TriangleBlock, v0_y)                                                                    \
+    OFFSET(TriangleBlock, v0_z)                                                                    \
+    OFFSET(TriangleBlock, e1_x)                                                                    \
+    OFFSET(TriangleBlock, e1_y)                                                                    \
+    OFFSET(TriangleBlock, e1_z)                                                                    \
+    OFFSET(TriangleBlock, e2_x)                                                                    \
+    OFFSET(TriangleBlock, e2_y)                                                                    \
+    OFFSET(TriangleBlock, e2_z)                                                                    \
+    OFFSET(TriangleBlock, primitive)                                                               \
+    SIZE(BvhSphere)                                                                                \
+    OFFSET(BvhSphere, center)                                                                      \
+    OFFSET(BvhSphere, radius)                                                                      \
+    OFFSET(BvhSphere, primitive)                                                                   \
+    SIZE(BvhInstance)                                                                              \
+    OFFSET(BvhInstance, world_to_object)                                                           \
+    OFFSET(BvhInstance, object_to_world)                                                           \
+    OFFSET(BvhInstance, root)                                                                      \
+    SIZE(MaterialRecord)                                                                           \
+    OFFSET(MaterialRecord, base_color)                                                             \
+    OFFSET(MaterialRecord, kind)                                                                   \
+    OFFSET(MaterialRecord, emission)                                                               \
+    OFFSET(MaterialRecord, roughness)                                                              \
+    OFFSET(MaterialRecord, metallic)                                                               \
+    OFFSET(MaterialRecord, ior)                                                                    \
+    OFFSET(MaterialRecord, normal_scale)                                                           \
+    OFFSET(MaterialRecord, two_sided)                                                              \
+    OFFSET(MaterialRecord, base_color_texture)                                                     \
+    OFFSET(MaterialRecord, metallic_roughness_texture)                                             \
+    OFFSET(MaterialRecord, emission_texture)                                                       \
+    OFFSET(MaterialRecord, normal_texture)                                                         \
+    SIZE(SurfaceRecord)                                                                            \
+    OFFSET(SurfaceRecord, normal)                                                                  \
+    OFFSET(SurfaceRecord, material)                                                                \
+    OFFSET(SurfaceRecord, uv)                                                                      \
+    OFFSET(SurfaceRecord, geometric)                                                               \
+    OFFSET(SurfaceRecord, tangent)                                                                 \
+    OFFSET(SurfaceRecord, light)                                                                   \
+    SIZE(LightRecord)                                                                              \
+    OFFSET(LightRecord, kind)                                                                      \
+    OFFSET(LightRecord, pmf)                                                                       \
+    OFFSET(LightRecord, alias_below)                                                               \
+    OFFSET(LightRecord, alias)                                                                     \
+    OFFSET(LightRecord, position)                                                                  \
+    OFFSET(LightRecord, area)                                                                      \
+    OFFSET(LightRecord, edge1)                                                                     \
+    OFFSET(LightRecord, material)                                                                  \
+    OFFSET(LightRecord, edge2)                                                                     \
+    OFFSET(LightRecord, surface)                                                                   \
+    OFFSET(LightRecord, radiance)                                                                  \
+    OFFSET(LightRecord, orientation)                                                               \
+    SIZE(TextureRecord)                                                                            \
+    OFFSET(TextureRecord, offset)                                                                  \
+    OFFSET(TextureRecord, width)                                                                   \
+    OFFSET(TextureRecord, height)                                                                  \
+    OFFSET(TextureRecord, wrap_u)                                                                  \
+    OFFSET(TextureRecord, wrap_v)                                                                  \
+    SIZE(AliasRecord)                                                                              \
+    OFFSET(AliasRecord, below)                                                                     \
+    OFFSET(AliasRecord, alias)                                                                     \
+    OFFSET(AliasRecord, pmf)                                                                       \
+    SIZE(FrameRecord)                                                                              \
+    OFFSET(FrameRecord, origin)                                                                    \
+    OFFSET(FrameRecord, aperture_radius)                                                           \
+    OFFSET(FrameRecord, corner)                                                                    \
+    OFFSET(FrameRecord, focus_distance)                                                            \
+    OFFSET(FrameRecord, step_x)                                                                    \
+    OFFSET(FrameRecord, step_y)                                                                    \
+    OFFSET(FrameRecord, lens_u)                                                                    \
+    OFFSET(FrameRecord, lens_v)                                                                    \
+    OFFSET(FrameRecord, width)                                                                     \
+    OFFSET(FrameRecord, height)                                                                    \
+    OFFSET(FrameRecord, seed)                                                                      \
+    OFFSET(FrameRecord, max_depth)                                                                 \
+    OFFSET(FrameRecord, roulette_start)                                                            \
+    OFFSET(FrameRecord, light_count)                                                               \
+    OFFSET(FrameRecord, environment_light)                                                         \
+    OFFSET(FrameRecord, environment_width)                                                         \
+    OFFSET(FrameRecord, environment_height)                                                        \
+    OFFSET(FrameRecord, environment_radiance)                                                      \
+    OFFSET(FrameRecord, environment_rotation)                                                      \
+    OFFSET(FrameRecord, filter_table)
+
+#endif

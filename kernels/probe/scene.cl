@@ -1,0 +1,85 @@
+// Probes of what reads the scene: textures, environment, lights, camera.
+#include "lib/camera.h"
+#include "lib/light.h"
+#include "lib/trace.h"
+#include "probe/probe.h"
+
+// PROBE with the scene as `view`.
+#define SCENE_PROBE(name)                                                                          \
+    INLINE void name##_of(SceneView view, Items items);                                            \
+    __kernel void probe_##name(uint count, SCENE_PARAMETERS, __global const float* in,             \
+                               __global float* out) {                                              \
+        const uint first = get_global_id(0) * PROBE_ITEMS;                                         \
+        if (first >= count) return;                                                                \
+        SCENE_VIEW(view);                                                                          \
+        for (uint i = first; i < first + PROBE_ITEMS; i += ONDE_WIDTH)                             \
+            name##_of(view, probe_items(count, in, out, i));                                       \
+    }                                                                                              \
+    INLINE void name##_of(SceneView view, Items items)
+
+// In: texture, uv (2). Out: as data (3), as colour (3).
+SCENE_PROBE(texture) {
+    const natural texture = input_natural(items, 0);
+    output(items, 0, texture_data(view, texture, input2(items, 1)));
+    output(items, 3, texture_color(view, texture, input2(items, 1)));
+}
+
+#if ONDE_ENVIRONMENT
+// In: direction (3), u (2). Out: place on the map (2), the direction of that place (3), radiance
+// (3) and pdf of the direction; the direction sampled by u (3).
+SCENE_PROBE(environment) {
+    const real3 direction = input3(items, 0);
+    const real2 uv = environment_uv(view, direction);
+    output(items, 0, uv);
+    output(items, 2, environment_direction(view, uv));
+    output(items, 5, environment_radiance(view, direction));
+    output(items, 8, environment_pdf(view, direction));
+    output(items, 9, environment_sample(view, input2(items, 3)));
+}
+#endif
+
+// In: point (3), choice, u (2), live or not. Out: direction (3), distance, radiance (3), pdf,
+// delta, valid.
+SCENE_PROBE(light_sample) {
+    const LightSample s = light_sample(view, input3(items, 0), input(items, 3), input2(items, 4),
+                                       input_mask(items, 6));
+    output(items, 0, s.direction);
+    output(items, 3, s.distance);
+    output(items, 4, s.radiance);
+    output(items, 7, s.pdf);
+    output_mask(items, 8, s.delta);
+    output_mask(items, 9, s.valid);
+}
+
+// In: origin (3), direction (3), live or not. Out: whether the ray hits, distance, position (3),
+// geometric normal (3), shading normal (3), front, light, emitted radiance (3), light_pdf.
+SCENE_PROBE(surface) {
+    const real3 origin = input3(items, 0), direction = input3(items, 3);
+    const mask live = input_mask(items, 6);
+    const Hits hits = trace_closest(view.bvh, origin, direction, mask_bits(live));
+    const mask found = live & (hits.primitive != BVH_NONE);
+    const Surface s = surface_at(view, origin, direction, hits, found);
+    output_mask(items, 0, found);
+    output(items, 1, hits.t);
+    output(items, 2, s.position);
+    output(items, 5, s.geometric);
+    output(items, 8, s.normal);
+    output_mask(items, 11, s.front);
+    output(items, 12, s.light);
+    output(items, 13, material_emission(view, s.material, s.uv));
+    output(items, 16, light_pdf(view, origin, direction, hits.t, s));
+}
+
+// In: pixel, sample. Out: origin (3), direction (3).
+SCENE_PROBE(camera) {
+    const natural pixel = input_natural(items, 0);
+    const Sampler sampler = sampler_start(pixel, input_natural(items, 1), view.frame->seed);
+    const CameraRay ray = camera_ray(view.frame, pixel, sampler);
+    output(items, 0, ray.origin);
+    output(items, 3, ray.direction);
+}
+
+// In: uniform number. Out: offset.
+SCENE_PROBE(filter) {
+    output(items, 0, filter_offset(view.frame, input(items, 0)));
+}

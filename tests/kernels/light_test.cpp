@@ -1,0 +1,288 @@
+// Lights: which one is chosen, where it is sampled, and the density of a ray that finds it.
+#include "kernels/scene_probe.h"
+#include "kernels/statistics.h"
+#include "upload/alias_table.h"
+
+#include <catch2/catch.hpp>
+
+using namespace onde;
+using namespace onde::test;
+
+namespace {
+
+constexpr size_t COUNT = 1 << 15;
+
+Material emitter(float radiance, bool two_sided = false) {
+    Material material;
+    material.emission = glm::vec3(radiance, 1, 2);
+    material.two_sided = two_sided;
+    return material;
+}
+
+struct Triangle {
+    glm::vec3 a, b, c;
+};
+const Triangle TRIANGLE{{-1, 2, 0.5f}, {1.5f, 2.5f, -1}, {0, 2, 2}}; // front downward
+
+Scene triangle_scene(bool two_sided = false) {
+    Scene scene;
+    add_triangle(scene, TRIANGLE.a, TRIANGLE.b, TRIANGLE.c, emitter(3, two_sided));
+    return scene;
+}
+Scene sphere_scene(bool two_sided) {
+    Scene scene;
+    scene.materials.push_back(emitter(3, two_sided));
+    scene.spheres.push_back({{1, 2, 3}, 0.75f, 0});
+    return scene;
+}
+
+struct LightSamples {
+    std::vector<glm::vec3> direction, radiance;
+    Column distance, pdf, delta, valid;
+};
+
+LightSamples sample(SceneProbe& probe, glm::vec3 from, size_t count = COUNT) {
+    Generator generator(71);
+    Columns in;
+    add_vectors(in, std::vector<glm::vec3>(count, from));
+    for (int k = 0; k < 3; k++) in.push_back(uniform_column(generator, count));
+    in.push_back(constant_column(count, 1));
+    const Columns out = probe.run("light_sample", in, 10);
+    LightSamples samples{{}, {}, out[3], out[7], out[8], out[9]};
+    for (size_t i = 0; i < count; i++) {
+        samples.direction.emplace_back(vector_at(out, 0, i));
+        samples.radiance.emplace_back(vector_at(out, 4, i));
+    }
+    return samples;
+}
+
+/// What rays from one point find: see probe_surface.
+Columns look(SceneProbe& probe, glm::vec3 from, const std::vector<glm::vec3>& directions) {
+    Columns in;
+    add_vectors(in, std::vector<glm::vec3>(directions.size(), from));
+    add_vectors(in, directions);
+    in.push_back(constant_column(directions.size(), 1));
+    return probe.run("surface", in, 17);
+}
+
+/// Rays along the samples find the light at the same distance with the same density. Rays along
+/// the light's border may miss it.
+void check_found_pdf(SceneProbe& probe, glm::vec3 from, double bound) {
+    const LightSamples samples = sample(probe, from);
+    const Columns out = look(probe, from, samples.direction);
+    size_t found = 0;
+    const auto error = [&](size_t i) {
+        if (samples.valid[i] == 0 || out[0][i] == 0) return 0.0;
+        return std::abs(double(out[16][i]) / double(samples.pdf[i]) - 1);
+    };
+    for (float hit : out[0]) found += hit != 0;
+    CHECK(found > COUNT - COUNT / 1000);
+    CHECK(worst_item(COUNT, bound, error, [&](size_t i) {
+              return fmt::format("found with density {}, sampled with {}", out[16][i],
+                                 samples.pdf[i]);
+          }) == "");
+}
+
+/// The mean of f / pdf and the deviation of that mean.
+template <class F>
+std::pair<double, double> integrate(const LightSamples& samples, const F& f) {
+    double sum = 0, squares = 0;
+    const double count = double(samples.pdf.size());
+    for (size_t i = 0; i < samples.pdf.size(); i++) {
+        const double a = samples.valid[i] != 0 ? f(samples.direction[i]) / samples.pdf[i] : 0.0;
+        sum += a;
+        squares += a * a;
+    }
+    const double mean = sum / count;
+    return {mean, std::sqrt(std::max(squares / count - mean * mean, 0.0) / count)};
+}
+
+/// Van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
+double solid_angle(const Triangle& t, glm::vec3 point) {
+    const glm::dvec3 from(point);
+    const glm::dvec3 a = glm::normalize(glm::dvec3(t.a) - from);
+    const glm::dvec3 b = glm::normalize(glm::dvec3(t.b) - from);
+    const glm::dvec3 c = glm::normalize(glm::dvec3(t.c) - from);
+    const double volume = std::abs(glm::dot(a, glm::cross(b, c)));
+    return 2 * std::atan2(volume, 1 + glm::dot(a, b) + glm::dot(b, c) + glm::dot(c, a));
+}
+
+/// The integral of the cosine with +Y over a triangle that is above (Lambert).
+double projected_solid_angle(const Triangle& t, glm::vec3 point) {
+    const glm::dvec3 from(point);
+    const glm::dvec3 v[3] = {glm::normalize(glm::dvec3(t.a) - from),
+                             glm::normalize(glm::dvec3(t.b) - from),
+                             glm::normalize(glm::dvec3(t.c) - from)};
+    double sum = 0;
+    for (int k = 0; k < 3; k++) {
+        const glm::dvec3 p = v[k], q = v[(k + 1) % 3];
+        sum += std::acos(glm::dot(p, q)) * glm::normalize(glm::cross(p, q)).y / 2;
+    }
+    return std::abs(sum);
+}
+
+} // namespace
+
+TEST_CASE("an alias table gives every entry the probability of its weight") {
+    Generator generator(72);
+    for (size_t count : {1u, 2u, 7u, 1000u}) {
+        std::vector<double> weights(count);
+        for (double& w : weights) w = generator() % 4 ? std::pow(double(unit(generator)), 8) : 0.0;
+        weights[count / 2] = 3;
+        double total = 0;
+        for (double w : weights) total += w;
+        const std::vector<AliasRecord> table = build_alias_table(weights);
+        std::vector<double> share(count);
+        for (size_t i = 0; i < count; i++) {
+            share[i] += double(table[i].below) / double(count);
+            share[table[i].alias] += (1 - double(table[i].below)) / double(count);
+        }
+        for (size_t i = 0; i < count; i++) {
+            REQUIRE(share[i] == Approx(weights[i] / total).margin(1e-7));
+            REQUIRE(double(table[i].pmf) == Approx(weights[i] / total).epsilon(1e-6));
+            if (weights[i] == 0) REQUIRE(share[i] == 0);
+        }
+    }
+}
+
+TEST_CASE("weights that are all zero are taken as equal") {
+    for (const AliasRecord& record : build_alias_table(std::vector<double>(4, 0.0)))
+        CHECK(record.pmf == 0.25f);
+}
+
+TEST_CASE("lights are chosen by their probabilities") {
+    Scene scene;
+    for (int i = 0; i < 7; i++) { // told apart by their red
+        const auto x = float(i);
+        const float power = i == 3 ? 50.0f : 1 + x;
+        add_triangle(scene, {x, 5, 0}, {x + 0.5f, 5, 0}, {x, 5, 0.5f}, emitter(power));
+    }
+    SceneProbe probe(scene, {"light_sample"});
+    const LightSamples samples = sample(probe, {3, 0, 0});
+    std::vector<double> observed(7), expected;
+    for (glm::vec3 radiance : samples.radiance)
+        observed[radiance.x == 50.0f ? 3 : size_t(radiance.x) - 1]++;
+    double total = 0;
+    for (const LightRecord& light : probe.packed().lights) {
+        expected.push_back(COUNT * double(light.pmf));
+        total += double(light.pmf);
+    }
+    CHECK(total == Approx(1).epsilon(1e-6));
+    CHECK(chi_square_failure(observed, expected, 1e-4) == "");
+}
+
+TEST_CASE("the solid angle of a triangle light is the mean of one over its density") {
+    SceneProbe probe(triangle_scene(), {"light_sample", "surface"});
+    for (glm::vec3 from : {glm::vec3(0), glm::vec3(0.2f, 1.5f, 0.3f), glm::vec3(-8, -3, 5)}) {
+        INFO("from " << from.x << " " << from.y << " " << from.z);
+        const LightSamples samples = sample(probe, from);
+        const auto [angle, deviation] = integrate(samples, [](glm::vec3) { return 1.0; });
+        CHECK(angle == Approx(solid_angle(TRIANGLE, from)).epsilon(1e-4).margin(5 * deviation));
+        const auto [cosine, spread] = integrate(samples, [](glm::vec3 d) { return double(d.y); });
+        CHECK(cosine ==
+              Approx(projected_solid_angle(TRIANGLE, from)).epsilon(1e-4).margin(5 * spread));
+        check_found_pdf(probe, from, 1e-4);
+    }
+}
+
+TEST_CASE("a triangle light shines from its front only, unless it is two-sided") {
+    const glm::vec3 behind(0.2f, 9, 0.3f);
+    SceneProbe one_sided(triangle_scene(false), {"light_sample", "surface"});
+    for (float valid : sample(one_sided, behind).valid) REQUIRE(valid == 0.0f);
+    for (float valid : sample(one_sided, {0, 0, 0}).valid) REQUIRE(valid == 1.0f);
+    SceneProbe two_sided(triangle_scene(true), {"light_sample", "surface"});
+    for (float valid : sample(two_sided, behind).valid) REQUIRE(valid == 1.0f);
+    check_found_pdf(two_sided, behind, 1e-4);
+}
+
+TEST_CASE("a sphere light is sampled over the angle under which it is seen") {
+    for (glm::vec3 from : {glm::vec3(0), glm::vec3(1, 2, 3.8f), glm::vec3(60, -80, 20)}) {
+        INFO("from " << from.x << " " << from.y << " " << from.z);
+        SceneProbe probe(sphere_scene(false), {"light_sample", "surface"});
+        const LightSamples samples = sample(probe, from);
+        const glm::dvec3 to = glm::dvec3(1, 2, 3) - glm::dvec3(from);
+        const double sine2 = 0.75 * 0.75 / glm::dot(to, to);
+        const double opening = sine2 / (1 + std::sqrt(1 - sine2));
+        const auto [angle, deviation] = integrate(samples, [](glm::vec3) { return 1.0; });
+        CHECK(angle == Approx(2 * M_PI * opening).epsilon(1e-4));
+        // The cosine to the centre is uniform in [1 - opening, 1].
+        double sum = 0;
+        for (glm::vec3 d : samples.direction)
+            sum += 1 - glm::dot(glm::dvec3(d), glm::normalize(to));
+        CHECK(sum / COUNT == Approx(opening / 2)
+                                 .epsilon(5 / std::sqrt(3.0 * COUNT)) //
+                                 .margin(2e-7));
+        check_found_pdf(probe, from, 1e-4);
+        for (float valid : samples.valid) REQUIRE(valid == 1.0f);
+    }
+}
+
+TEST_CASE("inside, a two-sided sphere light is sampled all around, a one-sided one not at all") {
+    const glm::vec3 from(1.2f, 2.1f, 2.6f);
+    SceneProbe two_sided(sphere_scene(true), {"light_sample", "surface"});
+    const LightSamples samples = sample(two_sided, from);
+    for (size_t i = 0; i < COUNT; i++) {
+        REQUIRE(double(samples.pdf[i]) == Approx(0.25 / M_PI));
+        const glm::vec3 end = from + samples.distance[i] * samples.direction[i];
+        REQUIRE(glm::length(end - glm::vec3(1, 2, 3)) == Approx(0.75).epsilon(1e-5));
+    }
+    check_found_pdf(two_sided, from, 1e-4);
+    SceneProbe one_sided(sphere_scene(false), {"light_sample"});
+    for (float valid : sample(one_sided, from).valid) REQUIRE(valid == 0.0f);
+}
+
+TEST_CASE("point lights fall off with the square of the distance, directional ones do not") {
+    Scene scene = scene_with_a_speck();
+    scene.point_lights.push_back({{0, 4, 3}, {10, 20, 30}});
+    SceneProbe point(scene, {"light_sample"});
+    const LightSamples near = sample(point, {0, 0, 0}, 16);
+    CHECK(glm::length(near.direction[0] - glm::vec3(0, 0.8f, 0.6f)) < 1e-6f);
+    CHECK(near.distance[0] == Approx(5));
+    CHECK(glm::length(near.radiance[0] - glm::vec3(0.4f, 0.8f, 1.2f)) < 1e-6f);
+    CHECK((near.pdf[0] == 1 && near.delta[0] == 1 && near.valid[0] == 1));
+
+    Scene sunny = scene_with_a_speck();
+    sunny.directional_lights.push_back({{0, 0.8f, 0.6f}, {1, 2, 3}});
+    SceneProbe directional(sunny, {"light_sample"});
+    const LightSamples far = sample(directional, {100, -5, 2}, 16);
+    CHECK(far.direction[0] == glm::vec3(0, 0.8f, 0.6f));
+    CHECK(far.distance[0] > 1e20f);
+    CHECK(far.radiance[0] == glm::vec3(1, 2, 3));
+    CHECK((far.pdf[0] == 1 && far.delta[0] == 1 && far.valid[0] == 1));
+}
+
+TEST_CASE("mixed lights have the same bits at every width, beside dead lanes full of poison") {
+    Scene scene = triangle_scene(true);
+    scene.materials.push_back(emitter(2, true));
+    scene.spheres.push_back({{-2, 1, 0}, 0.5f, 1});
+    scene.point_lights.push_back({{0, 4, 3}, {10, 20, 30}});
+    scene.directional_lights.push_back({{0, 0.8f, 0.6f}, {1, 2, 3}});
+    scene.environment.radiance = glm::vec3(0.5f);
+    Generator generator(73);
+    constexpr size_t FEW = 4096;
+    Columns in(7, Column(FEW));
+    for (size_t i = 0; i < FEW; i++) {
+        const bool live = i / 16 % 5 && generator() % 3;
+        for (size_t k = 0; k < 6; k++)
+            in[k][i] = live ? unit(generator) : generator() % 2 ? NAN : -INFINITY;
+        in[6][i] = live;
+    }
+    for (size_t i = 0; i < FEW; i++) // a number must be one to choose a light, even in dead lanes
+        if (in[6][i] == 0) in[3][i] = 0.5f;
+    Columns rays(in.begin(), in.end());
+    for (size_t i = 0; i < FEW; i++)
+        if (in[6][i] != 0) {
+            const glm::vec3 d = unit_vector(generator);
+            for (uint32_t k = 0; k < 3; k++) rays[3 + k][i] = d[k];
+        }
+    SceneProbe scalar(scene, {"light_sample", "surface"});
+    const Columns samples = scalar.run("light_sample", in, 10);
+    const Columns surfaces = scalar.run("surface", rays, 17);
+    CHECK(std::ranges::count(surfaces[0], 1.0f) > 100);
+    for (uint32_t width : {8u, 16u}) {
+        INFO("width " << width);
+        SceneProbe wide(scene, {"light_sample", "surface"}, width);
+        CHECK(first_bit_difference(wide.run("light_sample", in, 10), samples, in[6]) == "");
+        CHECK(first_bit_difference(wide.run("surface", rays, 17), surfaces, surfaces[0]) == "");
+    }
+}

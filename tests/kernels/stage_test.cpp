@@ -1,0 +1,376 @@
+// Each stage of the wavefront alone, on a few hand-made slots, one at a time and in lanes: the
+// slots around them are full of NaN.
+#include "kernels/stage_rig.h"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+
+using namespace onde;
+using namespace onde::test;
+
+namespace {
+
+const glm::vec3 UP(0, 1, 0), DOWN(0, -1, 0);
+const glm::vec3 ALBEDO(0.5f, 0.25f, 1.0f), EMISSION(2, 3, 4), SKY(0.5f, 1, 2);
+const glm::vec3 POINT(0, 3, 0), INTENSITY(9, 18, 27);
+constexpr uint32_t FLOOR = 0, LAMP = 1; // primitives
+constexpr double LAMP_AREA = 2;
+
+/// A diffuse floor, a lamp above that shines downward, a point between them, and a sky.
+Scene room() {
+    Scene scene;
+    Material floor;
+    floor.base_color = ALBEDO;
+    add_triangle(scene, {-9, 0, -9}, {0, 0, 9}, {9, 0, -9}, floor);
+    Material lamp;
+    lamp.base_color = glm::vec3(0);
+    lamp.emission = EMISSION;
+    lamp.two_sided = false;
+    add_triangle(scene, {-1, 8, -1}, {1, 8, -1}, {0, 8, 1}, lamp);
+    scene.point_lights.push_back({POINT, INTENSITY});
+    scene.environment.radiance = SKY;
+    return scene;
+}
+
+/// Probability of choosing a light of that kind.
+double pmf(uint32_t kind) {
+    static const PackedScene packed = pack_scene(room());
+    for (const LightRecord& light : packed.lights)
+        if (light.kind == kind) return light.pmf;
+    return 0;
+}
+
+/// A rig with an empty wave. Its program is compiled once for each width and queue.
+StageRig fresh_rig(uint32_t width, bool global = false) {
+    static std::map<std::pair<uint32_t, bool>, StageRig> rigs;
+    const auto key = std::pair(width, global);
+    if (!rigs.contains(key)) rigs.emplace(key, StageRig(room(), width, global));
+    return rigs.at(key);
+}
+
+void check_near(glm::dvec3 got, glm::dvec3 wanted, double bound = 1e-5) {
+    INFO("(" << got.x << ", " << got.y << ", " << got.z << ") instead of (" << wanted.x << ", "
+             << wanted.y << ", " << wanted.z << ")");
+    CHECK(glm::length(got - wanted) <= bound * std::max(1.0, glm::length(wanted)));
+}
+void check_near(glm::vec3 got, glm::dvec3 wanted, double bound = 1e-5) {
+    check_near(glm::dvec3(got), wanted, bound);
+}
+
+/// What a shadow ray from `position` on the floor brings, by the light that it goes to: Veach 1997,
+/// power heuristic, next to cosine-weighted sampling.
+glm::dvec3 direct_light(glm::dvec3 position, glm::dvec3 direction, double distance) {
+    const glm::dvec3 f = glm::dvec3(ALBEDO) / M_PI * direction.y;
+    const glm::dvec3 to_point = glm::dvec3(POINT) - position;
+    const double bsdf_pdf = direction.y / M_PI;
+    const auto weighted = [&](glm::vec3 light, double pdf) {
+        return f * glm::dvec3(light) * pdf / (pdf * pdf + bsdf_pdf * bsdf_pdf);
+    };
+    if (distance > 1e20) return weighted(SKY, pmf(LIGHT_ENVIRONMENT) / (4 * M_PI));
+    if (glm::length(glm::normalize(to_point) - direction) < 1e-5)
+        return f * glm::dvec3(INTENSITY) / glm::dot(to_point, to_point) / pmf(LIGHT_POINT);
+    return weighted(EMISSION,
+                    pmf(LIGHT_TRIANGLE) * distance * distance / (direction.y * LAMP_AREA));
+}
+
+/// A path that came down on the floor below (x, 2, z).
+void put_on_floor(StageRig& rig, uint32_t slot, uint32_t id, float x, float z,
+                  glm::vec3 throughput = glm::vec3(1)) {
+    rig.put_path(slot, id, {x, 2, z}, DOWN, throughput);
+    rig.put_hit(slot, 2, 0.25f, 0.5f, FLOOR);
+}
+
+/// Forty paths, of which about a third go on; path 39 - i is in slot i.
+StageRig rig_to_extend(uint32_t width, bool global) {
+    StageRig rig = fresh_rig(width, global);
+    rig.count = 40;
+    for (uint32_t i = 0; i < rig.count; i++) {
+        const auto x = float(i);
+        rig.put_path(i, 39 - i, {x, x + 0.25f, x + 0.5f}, {-x, -x - 0.25f, -x - 0.5f},
+                     {2 * x, 2 * x + 1, 2 * x + 2}, 100 + x);
+        rig.lane(ALIVE, i) = word(i % 3 == 1 || (i >= 16 && i < 20));
+    }
+    return rig;
+}
+
+/// The words of a slot that move with its path, as bits.
+std::vector<uint32_t> path_words(const std::vector<float>& state, uint32_t slot) {
+    std::vector<uint32_t> words;
+    for (uint32_t k = 0; k < ALIVE; k++)
+        words.push_back(from_word(state[k * StageRig::STRIDE + slot]));
+    return words;
+}
+
+const uint32_t WIDTHS[] = {1, 16};
+
+} // namespace
+
+TEST_CASE("generate starts every sample of every pixel at the camera") {
+    for (uint32_t width : WIDTHS) {
+        INFO("width " << width);
+        StageRig rig = fresh_rig(width);
+        rig.count = 10;
+        rig.log2_samples = 1;
+        rig.first_pixel = 3;
+        rig.radiance.assign(StageRig::STRIDE, glm::vec4(7));
+        rig.run("generate");
+        for (uint32_t i = 0; i < rig.count; i++) {
+            CHECK(from_word(rig.lane(ID, i)) == i);
+            CHECK(rig.lane(PDF, i) == 0);
+            CHECK(rig.lanes3(ORIGIN, i) == glm::vec3(0));
+            CHECK(rig.lanes3(THROUGHPUT, i) == glm::vec3(1));
+            CHECK(rig.radiance[i] == glm::vec4(0));
+            // The default camera sees 0.7 radians over the film's height of 4 pixels.
+            const uint32_t pixel = rig.pixel_order[3 + i / 2];
+            const glm::vec3 d = rig.lanes3(DIRECTION, i);
+            const double scale = 2 / std::tan(0.35);
+            CHECK(2 + d.x / -d.z * scale == Approx(double(pixel & 0xffff) + 0.5).margin(0.501));
+            CHECK(2 - d.y / -d.z * scale == Approx(double(pixel >> 16) + 0.5).margin(0.501));
+        }
+        CHECK(rig.lanes3(DIRECTION, 0) != rig.lanes3(DIRECTION, 1));
+        CHECK(rig.radiance[rig.count] == glm::vec4(7));
+        CHECK(rig.live[0] == rig.count);
+        CHECK(rig.counters[COUNTER_EXTENSION * COUNTER_BOUNCES] == rig.count);
+    }
+}
+
+TEST_CASE("generate gives the samples of a wave the rays that they have in any other wave") {
+    StageRig first = fresh_rig(1), second = fresh_rig(16);
+    first.count = 16;
+    first.log2_samples = 2;
+    first.run("generate");
+    second.count = 2;
+    second.log2_samples = 0;
+    second.first_pixel = 2;
+    second.first_sample = 3;
+    second.run("generate");
+    for (uint32_t k = 0; k < 3; k++)
+        CHECK(second.lane(DIRECTION + k, 0) == first.lane(DIRECTION + k, 11));
+}
+
+TEST_CASE("intersect finds what each ray meets first") {
+    for (uint32_t width : WIDTHS) {
+        INFO("width " << width);
+        StageRig rig = fresh_rig(width);
+        rig.live[0] = 4;
+        rig.put_path(0, 0, {1, 2, -3}, DOWN);
+        rig.put_path(1, 1, {0, 2, 0}, UP);
+        rig.put_path(2, 2, {0, 9, 0}, DOWN);
+        rig.put_path(3, 3, {0, 2, 0}, {1, 0, 0});
+        rig.run("intersect");
+        const uint32_t wanted[] = {FLOOR, LAMP, LAMP, BVH_NONE};
+        const float distance[] = {2, 6, 1};
+        for (uint32_t i = 0; i < 4; i++) CHECK(from_word(rig.lane(HIT_PRIMITIVE, i)) == wanted[i]);
+        for (uint32_t i = 0; i < 3; i++) CHECK(rig.lane(HIT_T, i) == Approx(distance[i]));
+        const float u = rig.lane(HIT_T + 1, 0), v = rig.lane(HIT_T + 2, 0);
+        check_near(glm::vec3(-9, 0, -9) * (1 - u - v) + glm::vec3(0, 0, 9) * u +
+                       glm::vec3(9, 0, -9) * v,
+                   {1, 0, -3});
+    }
+}
+
+TEST_CASE("shade sends a shadow ray and a next ray from a diffuse floor, by the closed forms") {
+    bool seen[3] = {};
+    for (uint32_t width : WIDTHS)
+        for (uint32_t pixel = 0; pixel < 12; pixel += 4) {
+            INFO("width " << width << ", pixels from " << pixel);
+            StageRig rig = fresh_rig(width);
+            rig.live[0] = 4;
+            rig.first_pixel = pixel;
+            const glm::vec3 throughput(0.5f, 1, 2);
+            for (uint32_t i = 0; i < 4; i++)
+                put_on_floor(rig, i, 3 - i, float(i) - 1.5f, 0.5f * float(i), throughput);
+            rig.run("shade");
+            uint32_t shadow_rays = 0;
+            for (uint32_t i = 0; i < 4; i++) {
+                const glm::dvec3 position(double(i) - 1.5, 0, 0.5 * double(i));
+                CHECK(rig.radiance[i] == glm::vec4(0));
+
+                const glm::dvec3 direction(rig.shadow3(SHADOW_DIRECTION, i));
+                const double distance = double(rig.shadow_lane(SHADOW_DISTANCE, i)) / (1 - 1e-4);
+                const glm::dvec3 light = direct_light(position, direction, distance);
+                check_near(rig.shadow3(SHADOW_ORIGIN, i), position, 1e-4);
+                check_near(rig.shadow3(SHADOW_RADIANCE, i), glm::dvec3(throughput) * light, 1e-3);
+                shadow_rays += distance > 0;
+                seen[distance > 1e20 ? 0 : distance < 4.5 ? 1 : 2] = true;
+
+                const glm::vec3 next = rig.lanes3(DIRECTION, i);
+                CHECK(next.y > 0);
+                CHECK(glm::length(next) == Approx(1).epsilon(1e-6));
+                CHECK(rig.lane(PDF, i) == Approx(next.y / M_PI).epsilon(1e-4));
+                check_near(rig.lanes3(THROUGHPUT, i), glm::dvec3(throughput * ALBEDO));
+                check_near(rig.lanes3(ORIGIN, i), position, 1e-4);
+                CHECK(from_word(rig.lane(ALIVE, i)) == 1);
+            }
+            CHECK(rig.counters[COUNTER_SHADOW * COUNTER_BOUNCES] == shadow_rays);
+        }
+    CHECK((seen[0] && seen[1] && seen[2])); // sky, point and lamp were chosen
+}
+
+TEST_CASE("shade adds the light that paths find, weighted against having sampled it") {
+    for (uint32_t width : WIDTHS) {
+        INFO("width " << width);
+        StageRig rig = fresh_rig(width);
+        rig.live[0] = 4;
+        const glm::vec3 throughput(0.5f, 1, 2);
+        rig.put_path(0, 2, {0, 2, 0}, {0, 0, -1}, throughput, 0); // past everything
+        rig.put_hit(0, NAN, NAN, NAN, BVH_NONE);
+        rig.put_path(1, 0, {0, 2, 0}, {0, 0, -1}, throughput, 0.1f);
+        rig.put_hit(1, 1e30f, 0, 0, BVH_NONE);
+        rig.put_path(2, 3, {0, 2, 0}, UP, throughput, 0.2f); // into the lamp
+        rig.put_hit(2, 6, 0.25f, 0.5f, LAMP);
+        rig.put_path(3, 1, {0, 9, 0}, DOWN, throughput, 0); // onto its dark back
+        rig.put_hit(3, 1, 0.25f, 0.5f, LAMP);
+        rig.run("shade");
+        const auto weight = [](double own, double other) {
+            return own * own / (own * own + other * other);
+        };
+        const glm::dvec3 sky(throughput * SKY), lamp(throughput * EMISSION);
+        check_near(glm::vec3(rig.radiance[2]), sky);
+        check_near(glm::vec3(rig.radiance[0]),
+                   sky * weight(double(0.1f), pmf(LIGHT_ENVIRONMENT) / (4 * M_PI)), 1e-4);
+        check_near(glm::vec3(rig.radiance[3]),
+                   lamp * weight(double(0.2f), pmf(LIGHT_TRIANGLE) * 36 / LAMP_AREA), 1e-4);
+        check_near(glm::vec3(rig.radiance[1]), {0, 0, 0});
+        for (uint32_t i = 0; i < 4; i++) {
+            CHECK(from_word(rig.lane(ALIVE, i)) == 0); // the lamp is black
+            CHECK(rig.shadow_lane(SHADOW_DISTANCE, i) == 0);
+        }
+        CHECK(rig.counters[COUNTER_SHADOW * COUNTER_BOUNCES] == 0);
+    }
+}
+
+TEST_CASE("shade ends every path at the last surface that it may visit") {
+    for (uint32_t width : WIDTHS) {
+        StageRig rig = fresh_rig(width);
+        rig.live[0] = rig.count = 1;
+        put_on_floor(rig, 0, 0, 0, 0);
+        rig.run("shade", RenderOptions().depth - 1);
+        CHECK(from_word(rig.lane(ALIVE, 0)) == 0);
+        CHECK(rig.shadow_lane(SHADOW_DISTANCE, 0) == 0);
+    }
+}
+
+TEST_CASE("shade makes the survivors of roulette carry more") {
+    StageRig rig = fresh_rig(16);
+    rig.live[0] = rig.count = 16;
+    for (uint32_t i = 0; i < 16; i++) put_on_floor(rig, i, i, 0, 0, glm::vec3(0.5f));
+    rig.run("shade", RenderOptions().roulette_start);
+    uint32_t alive = 0;
+    for (uint32_t i = 0; i < 16; i++) {
+        alive += from_word(rig.lane(ALIVE, i));
+        // The largest component, 0.5, is the probability of surviving.
+        check_near(rig.lanes3(THROUGHPUT, i), glm::dvec3(ALBEDO));
+    }
+    CHECK((alive > 0 && alive < 16));
+}
+
+TEST_CASE("shadow_test adds light where nothing is in the way") {
+    for (uint32_t width : WIDTHS) {
+        INFO("width " << width);
+        StageRig rig = fresh_rig(width);
+        rig.live[0] = 4;
+        for (uint32_t i = 0; i < 4; i++) rig.put_path(i, 3 - i, {}, UP);
+        rig.radiance[3] = glm::vec4(10, 20, 30, 0);
+        rig.put_shadow_ray(0, {0, 1, 0}, UP, 6.9f, {1, 2, 3});    // short of the lamp
+        rig.put_shadow_ray(1, {0, 1, 0}, UP, 7.1f, {1, 2, 3});    // behind it
+        rig.put_shadow_ray(2, {0, 1, 0}, UP, 0, {NAN, NAN, NAN}); // no ray
+        rig.put_shadow_ray(3, {5, 1, 0}, UP, 1e30f, {4, 5, 6});
+        rig.run("shadow_test");
+        CHECK(rig.radiance[3] == glm::vec4(11, 22, 33, 0));
+        CHECK(rig.radiance[2] == glm::vec4(0));
+        CHECK(rig.radiance[1] == glm::vec4(0));
+        CHECK(rig.radiance[0] == glm::vec4(4, 5, 6, 0));
+    }
+}
+
+TEST_CASE("extend with chunk-local queues compacts each chunk in its order") {
+    for (uint32_t width : WIDTHS) {
+        INFO("width " << width);
+        StageRig rig = rig_to_extend(width, false);
+        rig.live = {16, 14, 8}; // the last two of the second chunk have ended before
+        rig.live.resize(StageRig::STRIDE);
+        const StageRig before = rig;
+        rig.run("extend", 2);
+        uint32_t total = 0;
+        for (uint32_t c = 0; c < 3; c++) {
+            uint32_t next = c * 16;
+            for (uint32_t i = c * 16; i < c * 16 + before.live[c]; i++)
+                if (from_word(before.state[ALIVE * StageRig::STRIDE + i]))
+                    CHECK(path_words(rig.state, next++) == path_words(before.state, i));
+            CHECK(rig.live[c] == next - c * 16);
+            total += rig.live[c];
+        }
+        CHECK(rig.counters[COUNTER_EXTENSION * COUNTER_BOUNCES + 3] == total);
+        for (uint32_t i = 40; i < StageRig::STRIDE; i++) CHECK(std::isnan(rig.lane(PDF, i)));
+    }
+}
+
+TEST_CASE("extend with a global queue packs all that go on into the other state") {
+    for (uint32_t width : WIDTHS) {
+        INFO("width " << width);
+        StageRig rig = rig_to_extend(width, true);
+        rig.counters[COUNTER_EXTENSION * COUNTER_BOUNCES + 2] = 38; // the last two have ended
+        const StageRig before = rig;
+        rig.run("extend", 2);
+        std::vector<std::vector<uint32_t>> got, wanted;
+        for (uint32_t i = 0; i < 38; i++)
+            if (from_word(before.state[ALIVE * StageRig::STRIDE + i]))
+                wanted.push_back(path_words(before.state, i));
+        for (uint32_t i = 0; i < wanted.size(); i++) got.push_back(path_words(rig.next_state, i));
+        std::ranges::sort(got);
+        std::ranges::sort(wanted);
+        CHECK(got == wanted);
+        CHECK(rig.counters[COUNTER_EXTENSION * COUNTER_BOUNCES + 3] == wanted.size());
+        CHECK(std::isnan(rig.next_state[PDF * StageRig::STRIDE + wanted.size()]));
+    }
+}
+
+TEST_CASE("stages with a global queue work on as many slots as its counter says") {
+    for (uint32_t width : WIDTHS) {
+        StageRig rig = fresh_rig(width, true);
+        rig.count = 40;
+        rig.counters[COUNTER_EXTENSION * COUNTER_BOUNCES + 1] = 33;
+        for (uint32_t i = 0; i < 40; i++) rig.put_path(i, i, {0, 2, 0}, DOWN);
+        rig.run("intersect", 1);
+        for (uint32_t i = 0; i < 33; i++) CHECK(from_word(rig.lane(HIT_PRIMITIVE, i)) == FLOOR);
+    }
+}
+
+TEST_CASE("accumulate adds the samples of a pixel in their order and rejects what is not finite") {
+    StageRig rig = fresh_rig(16);
+    rig.count = 12;
+    rig.log2_samples = 2;
+    rig.first_pixel = 1;
+    rig.first_sample = 8;
+    Generator generator(81);
+    for (uint32_t i = 0; i < rig.count; i++)
+        rig.radiance[i] = {unit(generator), 1e6f * unit(generator), unit(generator), 0};
+    rig.radiance[5].y = NAN;
+    rig.radiance[6].x = INFINITY;
+    rig.film[0] = glm::vec4(1, 2, 3, 4);
+    std::vector<glm::vec4> wanted = rig.film;
+    for (uint32_t i = 0; i < rig.count; i++) {
+        const uint32_t pixel = rig.pixel_order[1 + i / 4];
+        if (i == 5 || i == 6) continue;
+        wanted[(pixel >> 16) * 4 + (pixel & 0xffff)] += glm::vec4(glm::vec3(rig.radiance[i]), 1);
+    }
+    rig.run("accumulate");
+    for (size_t i = 0; i < wanted.size(); i++) {
+        INFO("pixel " << i);
+        CHECK(rig.film[i] == wanted[i]);
+    }
+    CHECK(rig.invalid[INVALID_COUNT] == 2);
+    CHECK(rig.invalid[INVALID_PIXEL] == rig.pixel_order[2]);
+    CHECK(rig.invalid[INVALID_SAMPLE] == 9);
+}
+
+TEST_CASE("tally moves the counters of a wave to the totals") {
+    StageRig rig = fresh_rig(1);
+    std::vector<uint64_t> totals(COUNTER_SIZE, 1ull << 40);
+    for (uint32_t i = 0; i < COUNTER_SIZE; i++) rig.counters[i] = i;
+    totals = rig.tally(totals);
+    for (uint32_t i = 0; i < COUNTER_SIZE; i++) CHECK(totals[i] == (1ull << 40) + i);
+    CHECK(rig.counters == std::vector<uint32_t>(COUNTER_SIZE));
+}

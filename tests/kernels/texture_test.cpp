@@ -1,0 +1,111 @@
+// Bilinear lookups against double precision, at every wrap mode and across the borders.
+#include "kernels/scene_probe.h"
+
+#include <catch2/catch.hpp>
+
+using namespace onde;
+using namespace onde::test;
+
+namespace {
+
+constexpr size_t COUNT = 1 << 14;
+const Wrap WRAPS[] = {Wrap::repeat, Wrap::clamp, Wrap::mirror};
+
+/// Textures 3 u + v have wrap modes u and v, and sizes of their own; the last one is one texel.
+Scene textured_scene() {
+    Generator generator(51);
+    Scene scene = scene_with_a_speck();
+    for (uint32_t i = 0; i < 10; i++) {
+        Texture texture;
+        texture.image.width = i < 9 ? 2 + i % 4 : 1;
+        texture.image.height = i < 9 ? 1 + i / 2 : 1;
+        texture.image.rgba.resize(4 * texture.image.width * texture.image.height);
+        for (uint8_t& byte : texture.image.rgba) byte = uint8_t(generator());
+        texture.wrap_u = WRAPS[i / 3 % 3];
+        texture.wrap_v = WRAPS[i % 3];
+        scene.textures.push_back(texture);
+    }
+    return scene;
+}
+
+size_t wrap_index(int64_t i, int64_t size, Wrap wrap) {
+    const auto modulo = [](int64_t a, int64_t n) { return (a % n + n) % n; };
+    if (wrap == Wrap::repeat) return size_t(modulo(i, size));
+    if (wrap == Wrap::clamp) return size_t(std::clamp(i, int64_t(0), size - 1));
+    const int64_t folded = modulo(i, 2 * size);
+    return size_t(folded < size ? folded : 2 * size - 1 - folded);
+}
+
+double linear(uint8_t byte, bool color) {
+    const double c = byte / 255.0;
+    if (!color) return c;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+double look_up(const Texture& texture, double u, double v, size_t channel, bool color) {
+    const ByteImage& image = texture.image;
+    const double x = u * image.width - 0.5, y = v * image.height - 0.5;
+    const auto x0 = int64_t(std::floor(x)), y0 = int64_t(std::floor(y));
+    double sum = 0;
+    for (int64_t j = 0; j < 2; j++)
+        for (int64_t i = 0; i < 2; i++) {
+            const double weight = (1 - std::abs(x - double(x0 + i))) * //
+                                  (1 - std::abs(y - double(y0 + j)));
+            const size_t column = wrap_index(x0 + i, image.width, texture.wrap_u);
+            const size_t row = wrap_index(y0 + j, image.height, texture.wrap_v);
+            sum += weight * linear(image.rgba[4 * (row * image.width + column) + channel], color);
+        }
+    return sum;
+}
+
+} // namespace
+
+TEST_CASE("textures are bilinear under every wrap mode, and colours linear before filtering") {
+    const Scene scene = textured_scene();
+    SceneProbe probe(scene, {"texture"});
+    Generator generator(52);
+    for (uint32_t t = 0; t < scene.textures.size(); t++) {
+        INFO("texture " << t);
+        Columns in{word_column(COUNT, t), uniform_column(generator, COUNT, -2.5f, 3.5f),
+                   uniform_column(generator, COUNT, -2.5f, 3.5f)};
+        for (int i = -20; i <= 20; i++) { // borders and middles of texels
+            in[1][size_t(i + 20)] = float(i) / 8;
+            in[2][size_t(i + 60)] = float(i) / 8;
+        }
+        const Columns out = probe.run("texture", in, 6);
+        for (size_t k = 0; k < 6; k++) {
+            const auto wanted = [&](size_t i) {
+                return look_up(scene.textures[t], in[1][i], in[2][i], k % 3, k >= 3);
+            };
+            CHECK(worst_difference(out[k], wanted, 5e-6) == "");
+        }
+    }
+}
+
+TEST_CASE("lanes without a texture get ones, beside lanes that have one") {
+    const Scene scene = textured_scene();
+    Columns in(3, constant_column(COUNT, 0.3f));
+    for (size_t i = 0; i < COUNT; i++) in[0][i] = word(i % 3 ? uint32_t(i % 10) : NO_INDEX);
+    SceneProbe scalar(scene, {"texture"});
+    const Columns one = scalar.run("texture", in, 6);
+    for (size_t k = 0; k < 6; k++)
+        for (size_t i = 0; i < COUNT; i += 3) REQUIRE(one[k][i] == 1.0f);
+    for (uint32_t width : {8u, 16u}) {
+        SceneProbe wide(scene, {"texture"}, width);
+        CHECK(first_bit_difference(wide.run("texture", in, 6), one) == "");
+    }
+}
+
+TEST_CASE("texture coordinates that are huge or not finite read some texel") {
+    const float infinity = std::numeric_limits<float>::infinity();
+    const Column wild{1e30f, -1e30f, infinity, -infinity, NAN, 1e10f, -3e9f};
+    SceneProbe probe(textured_scene(), {"texture"});
+    for (uint32_t t = 0; t < 10; t++) {
+        const Columns out =
+            probe.run("texture", {word_column(wild.size(), t), wild, Column(wild.size(), 0.5f)}, 6);
+        for (size_t i = 0; i < wild.size(); i++) {
+            INFO("texture " << t << " at " << wild[i] << " is " << out[0][i]);
+            CHECK((std::isnan(out[0][i]) || (out[0][i] >= 0 && out[0][i] <= 1)));
+        }
+    }
+}

@@ -41,7 +41,7 @@ INLINE __global const uint* bvh_children(__global const uchar* node) {
 }
 
 INLINE void bvh_prefetch(BvhView bvh, uint word) {
-    prefetch_320(word & BVH_LEAF ? bvh_block(bvh, word) : bvh_node(bvh, word));
+    prefetch_block(word & BVH_LEAF ? bvh_block(bvh, word) : bvh_node(bvh, word));
 }
 
 INLINE uint is_finite_ray(float3 origin, float3 direction) {
@@ -68,26 +68,25 @@ INLINE float entry_distance(ulong entry) {
         b = low;                                                                                   \
     }
 
-// Pushes the children in `bits`, the nearest last; returns the new size. At least one bit is set.
-INLINE uint push_sorted(ulong* stack, uint size, BvhView bvh, __global const uint* children,
-                        const float* near, uint bits) {
+// Takes the next child of `bits` as a stack entry.
 #define NEXT_ENTRY(entry)                                                                          \
     const uint slot_##entry = lowest_bit(bits);                                                    \
     ulong entry = stack_entry(near[slot_##entry], children[slot_##entry]);                         \
     bits &= bits - 1;
 
+// Pushes the children in `bits`, of which there are at least two, but for the nearest, which it
+// returns; nearer ones lie higher on the stack.
+INLINE ulong push_farther(ulong* stack, uint* size, BvhView bvh, __global const uint* children,
+                          const float* near, uint bits) {
     NEXT_ENTRY(a)
-    if (!bits) {
-        stack[size] = a;
-        return size + 1;
-    }
     NEXT_ENTRY(b)
     bvh_prefetch(bvh, (uint)b);
+    ulong* top = stack + *size;
     if (!bits) {
         SORT_DESCENDING(a, b)
-        stack[size] = a;
-        stack[size + 1] = b;
-        return size + 2;
+        top[0] = a;
+        *size += 1;
+        return b;
     }
     NEXT_ENTRY(c)
     bvh_prefetch(bvh, (uint)c);
@@ -95,10 +94,10 @@ INLINE uint push_sorted(ulong* stack, uint size, BvhView bvh, __global const uin
         SORT_DESCENDING(a, b)
         SORT_DESCENDING(b, c)
         SORT_DESCENDING(a, b)
-        stack[size] = a;
-        stack[size + 1] = b;
-        stack[size + 2] = c;
-        return size + 3;
+        top[0] = a;
+        top[1] = b;
+        *size += 2;
+        return c;
     }
     NEXT_ENTRY(d)
     bvh_prefetch(bvh, (uint)d);
@@ -107,54 +106,69 @@ INLINE uint push_sorted(ulong* stack, uint size, BvhView bvh, __global const uin
     SORT_DESCENDING(a, c)
     SORT_DESCENDING(b, d)
     SORT_DESCENDING(b, c)
-    stack[size] = a;
-    stack[size + 1] = b;
-    stack[size + 2] = c;
-    stack[size + 3] = d;
-    const uint first = size;
-    size += 4;
-    while (bits) {
+    top[0] = a;
+    top[1] = b;
+    top[2] = c;
+    *size += 3;
+    while (bits) { // insertion from the top; d stays the nearest
         NEXT_ENTRY(e)
         bvh_prefetch(bvh, (uint)e);
-        uint i = size++;
-        for (; i > first && stack[i - 1] < e; i--) stack[i] = stack[i - 1];
+        SORT_DESCENDING(e, d)
+        uint i = (*size)++;
+        for (; stack + i > top && stack[i - 1] < e; i--) stack[i] = stack[i - 1];
         stack[i] = e;
     }
-    return size;
-#undef NEXT_ENTRY
+    return d;
 }
 
-// The closest hit of the ray.
-TRAVERSAL Hit bvh_closest(BvhView bvh, float3 origin, float t_min, float3 direction, float t_max) {
+// The view as single arguments of a function that is not inlined: a struct would go through memory,
+// which a short walk feels.
+#define BVH_SCALARS                                                                                \
+    __global const uchar *nodes, __global const uchar *blocks, __global const BvhSphere *spheres,  \
+        __global const BvhInstance *instances, uint root
+#define BVH_TO_SCALARS(bvh) bvh.nodes, bvh.blocks, bvh.spheres, bvh.instances, bvh.root
+#define BVH_FROM_SCALARS                                                                           \
+    { nodes, blocks, spheres, instances, root }
+
+TRAVERSAL Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direction, float t_max) {
+    const BvhView bvh = BVH_FROM_SCALARS;
     Hit hit = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
     if (!is_finite_ray(origin, direction)) return hit;
     ulong stack[ONDE_STACK_SIZE];
-    float near[BVH_WIDTH];
+    float near[BVH_WIDTH] __attribute__((aligned(64)));
     uint size = 0;
     SlabRay slab = make_slab_ray(origin, direction);
     float3 local_origin = origin, local_direction = direction; // in the space of the current tree
     float entry = t_min; // no box of the current tree is entered earlier
     uint instance = BVH_NONE;
-    ulong current = stack_entry(t_min, bvh.root);
+    uint word = bvh.root;
+    float distance = t_min; // to the box that holds `word`
     for (;;) {
-        const uint word = (uint)current;
         if (!(word & BVH_LEAF)) {
             __global const uchar* node = bvh_node(bvh, word);
+            __global const uint* children = bvh_children(node);
             const NodeHits hits = meet_node(node, slab, entry, hit.t);
             if (hits.bits) {
-                vstore16(hits.near, 0, near);
-                size = push_sorted(stack, size, bvh, bvh_children(node), near, hits.bits);
-                current = stack[--size];
+                *(float16*)near = hits.near;
+                const uint first = lowest_bit(hits.bits);
+                word = children[first];
+                distance = near[first];
+                if (hits.bits & (hits.bits - 1)) {
+                    const ulong nearest =
+                        push_farther(stack, &size, bvh, children, near, hits.bits);
+                    word = (uint)nearest;
+                    distance = entry_distance(nearest);
+                }
                 continue;
             }
         } else if ((word & BVH_KIND_MASK) == BVH_LEAF_TRIANGLES) {
             hit = closest_in_block(bvh_block(bvh, word), local_origin, t_min, local_direction,
-                                   entry_distance(current), instance, hit);
+                                   distance, instance, hit);
         }
 #if ONDE_SPHERES
         else if ((word & BVH_KIND_MASK) == BVH_LEAF_SPHERE) {
             hit = closest_on_sphere(bvh.spheres[word & BVH_INDEX_MASK], local_origin, t_min,
-                                    local_direction, entry_distance(current), instance, hit);
+                                    local_direction, distance, instance, hit);
         }
 #endif
 #if ONDE_INSTANCES
@@ -164,9 +178,9 @@ TRAVERSAL Hit bvh_closest(BvhView bvh, float3 origin, float t_min, float3 direct
             local_origin = transform_point(placed->world_to_object, origin);
             local_direction = transform_vector(placed->world_to_object, direction);
             slab = make_slab_ray(local_origin, local_direction);
-            entry = entry_distance(current);
+            entry = distance;
             stack[size++] = STACK_LEAVE_INSTANCE;
-            current = stack_entry(entry, placed->root);
+            word = placed->root;
             continue;
         } else {
             instance = BVH_NONE;
@@ -177,15 +191,21 @@ TRAVERSAL Hit bvh_closest(BvhView bvh, float3 origin, float t_min, float3 direct
         }
 #endif
         do {
-            if (size == 0) return hit;
-            current = stack[--size];
-        } while (entry_distance(current) > hit.t);
+            if (size == 0) {
+                // A copy: the variable that is returned lives in memory, and `hit` must not.
+                const Hit closest = hit;
+                return closest;
+            }
+            size--;
+            distance = entry_distance(stack[size]);
+        } while (distance > hit.t);
+        word = (uint)stack[size];
     }
 }
 
-// Whether anything is hit: 1 or 0.
-TRAVERSAL uint bvh_occluded(BvhView bvh, float3 origin, float t_min, float3 direction,
-                            float t_max) {
+TRAVERSAL uint walk_occluded(BVH_SCALARS, float3 origin, float t_min, float3 direction,
+                             float t_max) {
+    const BvhView bvh = BVH_FROM_SCALARS;
     if (!is_finite_ray(origin, direction)) return 0;
     uint stack[ONDE_STACK_SIZE];
     uint size = 0;
@@ -237,6 +257,16 @@ TRAVERSAL uint bvh_occluded(BvhView bvh, float3 origin, float t_min, float3 dire
         if (size == 0) return 0;
         word = stack[--size];
     }
+}
+
+// The closest hit of the ray.
+INLINE Hit bvh_closest(BvhView bvh, float3 origin, float t_min, float3 direction, float t_max) {
+    return walk_closest(BVH_TO_SCALARS(bvh), origin, t_min, direction, t_max);
+}
+
+// Whether anything is hit: 1 or 0.
+INLINE uint bvh_occluded(BvhView bvh, float3 origin, float t_min, float3 direction, float t_max) {
+    return walk_occluded(BVH_TO_SCALARS(bvh), origin, t_min, direction, t_max);
 }
 
 #endif

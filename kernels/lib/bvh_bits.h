@@ -63,10 +63,16 @@ INLINE float highest_of16(float16 a) {
     return -lowest_of16(-a);
 }
 
-// Asks for a leaf block or the first lines of a node before they are needed.
-INLINE void prefetch_320(__global const uchar* p) {
+// Asks for a leaf block, or the first lines of a node, before it is needed. (In a loop, PoCL would
+// leave the loop in.)
+INLINE void prefetch_block(__global const uchar* p) {
 #if ONDE_AVX2 || ONDE_AVX512
-    for (uint line = 0; line < 320; line += 64) __builtin_prefetch((const void*)(size_t)(p + line));
+    const void* line = (const void*)(size_t)p;
+    __builtin_prefetch(line);
+    __builtin_prefetch(line + 64);
+    __builtin_prefetch(line + 128);
+    __builtin_prefetch(line + 192);
+    __builtin_prefetch(line + 256);
 #endif
 }
 

@@ -43,7 +43,7 @@ INLINE Hit closest_in_block(__global const uchar* block, float3 origin, float t_
     const float8 inverse = 1.0f / test.determinant;
     const float8 t = test.t * inverse;
     const float8 from_box = UPPER(t, (float8)(near));
-    const float8 candidate_t = candidates & (t > t_min) ? from_box : (float8)(INFINITY);
+    const float8 candidate_t = (candidates & (t > t_min)) ? from_box : (float8)(INFINITY);
     const float closest = lowest_of8(candidate_t);
     if (!(closest <= hit.t) || closest == INFINITY) return hit;
 
@@ -51,9 +51,9 @@ INLINE Hit closest_in_block(__global const uchar* block, float3 origin, float t_
     const uint lane = lowest_bit(bits8(candidate_t == closest));
     const uint primitive = ((__global const uint*)block)[72 + lane];
     if (!is_closer(closest, primitive, instance, hit)) return hit;
-    float u[8], v[8];
-    vstore8(test.u * inverse, 0, u);
-    vstore8(test.v * inverse, 0, v);
+    float u[8] __attribute__((aligned(32))), v[8] __attribute__((aligned(32)));
+    *(float8*)u = test.u * inverse;
+    *(float8*)v = test.v * inverse;
     const Hit closer = {closest, u[lane], v[lane], primitive, instance};
     return closer;
 }

@@ -24,7 +24,8 @@ TRAVERSAL void bvh_closest_packet(BvhView bvh, float rays[8][16], float hits[5][
 #else
 
 typedef struct {
-    Vectors16 origin, direction, inverse;
+    Vectors16 origin, direction;
+    Vectors16 inverse, near, far; // as in SlabRay
     float16 t_min;
 } Packet;
 
@@ -33,13 +34,17 @@ typedef struct {
     uint16 primitive;
 } PacketHits;
 
-// Rays of one octant as intervals. `near_origin` is the end of each axis' interval of origins that
-// is closest to the near planes, `far_origin` the other one.
+// Rays of one octant as intervals: of their origins, by the end that is nearer to the near planes
+// of each axis, and the other; and of their inverse directions.
 typedef struct {
     float3 near_origin, far_origin, lowest_inverse, highest_inverse;
-    uint3 near; // byte offsets, as in SlabRay
+    uint3 plane; // as in SlabRay
     float t_min;
 } Frustum;
+
+    // How much a frustum is wider than its rays, relative to their origins and directions; more
+    // than what rounding and SLAB_SLACK do to the distances of each ray.
+    #define FRUSTUM_SLACK 2e-6f
 
 INLINE float16 safe_inverse16(float16 direction) {
     return 1.0f / (fabs(direction) < 1e-18f ? copysign((float16)(1e-18f), direction) : direction);
@@ -57,6 +62,15 @@ INLINE Packet load_packet(float rays[8][16]) {
     packet.inverse.x = safe_inverse16(packet.direction.x);
     packet.inverse.y = safe_inverse16(packet.direction.y);
     packet.inverse.z = safe_inverse16(packet.direction.z);
+    const Vectors16 start = {-packet.origin.x * packet.inverse.x,
+                             -packet.origin.y * packet.inverse.y,
+                             -packet.origin.z * packet.inverse.z};
+    packet.near.x = start.x - fabs(start.x) * SLAB_SLACK;
+    packet.near.y = start.y - fabs(start.y) * SLAB_SLACK;
+    packet.near.z = start.z - fabs(start.z) * SLAB_SLACK;
+    packet.far.x = start.x + fabs(start.x) * SLAB_SLACK;
+    packet.far.y = start.y + fabs(start.y) * SLAB_SLACK;
+    packet.far.z = start.z + fabs(start.z) * SLAB_SLACK;
     return packet;
 }
 
@@ -80,30 +94,31 @@ INLINE float highest_in(float16 a, int16 lanes) {
     return highest_of16(lanes ? a : (float16)(-INFINITY));
 }
 
+INLINE float3 lowest3(Vectors16 v, int16 lanes) {
+    const float3 lowest =
+        (float3)(lowest_in(v.x, lanes), lowest_in(v.y, lanes), lowest_in(v.z, lanes));
+    return lowest - fabs(lowest) * FRUSTUM_SLACK;
+}
+INLINE float3 highest3(Vectors16 v, int16 lanes) {
+    const float3 highest =
+        (float3)(highest_in(v.x, lanes), highest_in(v.y, lanes), highest_in(v.z, lanes));
+    return highest + fabs(highest) * FRUSTUM_SLACK;
+}
+
 INLINE Frustum make_frustum(Packet packet, int16 lanes, uint octant) {
-    const float3 low =
-        (float3)(lowest_in(packet.origin.x, lanes), lowest_in(packet.origin.y, lanes),
-                 lowest_in(packet.origin.z, lanes));
-    const float3 high =
-        (float3)(highest_in(packet.origin.x, lanes), highest_in(packet.origin.y, lanes),
-                 highest_in(packet.origin.z, lanes));
+    const float3 low = lowest3(packet.origin, lanes), high = highest3(packet.origin, lanes);
     const int3 flipped = ((int3)(octant) & (int3)(1, 2, 4)) != 0;
     Frustum frustum;
     frustum.near_origin = flipped ? low : high;
     frustum.far_origin = flipped ? high : low;
-    frustum.lowest_inverse =
-        (float3)(lowest_in(packet.inverse.x, lanes), lowest_in(packet.inverse.y, lanes),
-                 lowest_in(packet.inverse.z, lanes));
-    frustum.highest_inverse =
-        (float3)(highest_in(packet.inverse.x, lanes), highest_in(packet.inverse.y, lanes),
-                 highest_in(packet.inverse.z, lanes));
-    frustum.near = (uint3)(octant & 1 ? 64 : 0, octant & 2 ? 192 : 128, octant & 4 ? 320 : 256);
+    frustum.lowest_inverse = lowest3(packet.inverse, lanes);
+    frustum.highest_inverse = highest3(packet.inverse, lanes);
+    frustum.plane = (uint3)(octant & 1 ? 64 : 0, octant & 2 ? 192 : 128, octant & 4 ? 320 : 256);
     frustum.t_min = lowest_in(packet.t_min, lanes);
     return frustum;
 }
 
-// Bounds of the distances at which the frustum's rays cross planes: rounding keeps order, so these
-// bound the rounded distances of each ray as well.
+// Bounds of the distances at which the frustum's rays cross planes.
 INLINE float16 earliest(float16 planes, float origin, float lowest, float highest) {
     const float16 way = planes - origin;
     return LOWER(way * lowest, way * highest);
@@ -114,20 +129,18 @@ INLINE float16 latest(float16 planes, float origin, float lowest, float highest)
 }
 
 INLINE NodeHits frustum_meets_node(__global const uchar* node, Frustum f, float t_max) {
-    const float3 lowest_far = f.lowest_inverse * (1.0f + SLAB_SLACK);
-    const float3 highest_far = f.highest_inverse * (1.0f + SLAB_SLACK);
-    const float16 near_x = earliest(node_row(node, f.near.x), f.near_origin.x, f.lowest_inverse.x,
+    const float16 near_x = earliest(node_row(node, f.plane.x), f.near_origin.x, f.lowest_inverse.x,
                                     f.highest_inverse.x);
-    const float16 near_y = earliest(node_row(node, f.near.y), f.near_origin.y, f.lowest_inverse.y,
+    const float16 near_y = earliest(node_row(node, f.plane.y), f.near_origin.y, f.lowest_inverse.y,
                                     f.highest_inverse.y);
-    const float16 near_z = earliest(node_row(node, f.near.z), f.near_origin.z, f.lowest_inverse.z,
+    const float16 near_z = earliest(node_row(node, f.plane.z), f.near_origin.z, f.lowest_inverse.z,
                                     f.highest_inverse.z);
-    const float16 far_x =
-        latest(node_row(node, f.near.x ^ 64), f.far_origin.x, lowest_far.x, highest_far.x);
-    const float16 far_y =
-        latest(node_row(node, f.near.y ^ 64), f.far_origin.y, lowest_far.y, highest_far.y);
-    const float16 far_z =
-        latest(node_row(node, f.near.z ^ 64), f.far_origin.z, lowest_far.z, highest_far.z);
+    const float16 far_x = latest(node_row(node, f.plane.x ^ 64), f.far_origin.x, f.lowest_inverse.x,
+                                 f.highest_inverse.x);
+    const float16 far_y = latest(node_row(node, f.plane.y ^ 64), f.far_origin.y, f.lowest_inverse.y,
+                                 f.highest_inverse.y);
+    const float16 far_z = latest(node_row(node, f.plane.z ^ 64), f.far_origin.z, f.lowest_inverse.z,
+                                 f.highest_inverse.z);
     const float16 near_xy = UPPER(near_x, near_y), near_zt = UPPER(near_z, (float16)(f.t_min));
     const float16 far_xy = LOWER(far_x, far_y), far_zt = LOWER(far_z, (float16)(t_max));
     NodeHits hits;
@@ -143,14 +156,13 @@ typedef struct {
 } BoxHits;
 
 INLINE BoxHits rays_meet_box(__global const float* box, Frustum f, Packet rays, float16 t_max) {
-    const uint near_x = f.near.x / 4, near_y = f.near.y / 4, near_z = f.near.z / 4;
-    const float16 slack = (float16)(1.0f + SLAB_SLACK);
-    const float16 in_x = (box[near_x] - rays.origin.x) * rays.inverse.x;
-    const float16 in_y = (box[near_y] - rays.origin.y) * rays.inverse.y;
-    const float16 in_z = (box[near_z] - rays.origin.z) * rays.inverse.z;
-    const float16 out_x = (box[near_x ^ 16] - rays.origin.x) * (rays.inverse.x * slack);
-    const float16 out_y = (box[near_y ^ 16] - rays.origin.y) * (rays.inverse.y * slack);
-    const float16 out_z = (box[near_z ^ 16] - rays.origin.z) * (rays.inverse.z * slack);
+    const uint plane_x = f.plane.x / 4, plane_y = f.plane.y / 4, plane_z = f.plane.z / 4;
+    const float16 in_x = fma((float16)(box[plane_x]), rays.inverse.x, rays.near.x);
+    const float16 in_y = fma((float16)(box[plane_y]), rays.inverse.y, rays.near.y);
+    const float16 in_z = fma((float16)(box[plane_z]), rays.inverse.z, rays.near.z);
+    const float16 out_x = fma((float16)(box[plane_x ^ 16]), rays.inverse.x, rays.far.x);
+    const float16 out_y = fma((float16)(box[plane_y ^ 16]), rays.inverse.y, rays.far.y);
+    const float16 out_z = fma((float16)(box[plane_z ^ 16]), rays.inverse.z, rays.far.z);
     const float16 in_xy = UPPER(in_x, in_y), in_zt = UPPER(in_z, rays.t_min);
     const float16 out_xy = LOWER(out_x, out_y), out_zt = LOWER(out_z, t_max);
     BoxHits hits;
@@ -222,8 +234,8 @@ INLINE PacketHits closest_on_sphere16(BvhSphere sphere, Packet rays, BoxHits box
 
 // Pushes the frustum's children as distance << 32 | node * 16 + slot, the nearest last.
 INLINE uint push_slots(ulong* stack, uint size, uint node, NodeHits hits) {
-    float near[BVH_WIDTH];
-    vstore16(hits.near, 0, near);
+    float near[BVH_WIDTH] __attribute__((aligned(64)));
+    *(float16*)near = hits.near;
     const uint first = size;
     for (uint bits = hits.bits; bits; bits &= bits - 1) {
         const uint slot = lowest_bit(bits);

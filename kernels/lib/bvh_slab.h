@@ -4,15 +4,17 @@
 
 #include "lib/bvh_bits.h"
 
-// Distances to far planes are taken this much too long: with the builder's margin no rounding can
-// then make a ray miss a box (Ize, "Robust BVH ray traversal", 2013).
-#define SLAB_SLACK 4.8e-7f
+// The distance to a plane is plane * inverse - origin * inverse, one fma. Its rounding error grows
+// with |origin * inverse|; intervals are widened by this part of it, at no cost per box. With the
+// builder's margin no rounding can then make a ray miss a box that it meets, from wherever it
+// comes.
+#define SLAB_SLACK 2.4e-7f
 
-// What the slab test needs of a ray. `near` is the byte offset of an axis' near planes in a node;
-// the far planes are at near ^ 64.
+// What the slab test needs of a ray. `plane` is the byte offset of an axis' near planes in a node;
+// the far planes are at plane ^ 64.
 typedef struct {
-    float3 origin, inverse;
-    uint3 near;
+    float3 inverse, near, far;
+    uint3 plane;
 } SlabRay;
 
 INLINE float safe_inverse(float direction) {
@@ -22,17 +24,23 @@ INLINE float safe_inverse(float direction) {
 
 INLINE SlabRay make_slab_ray(float3 origin, float3 direction) {
     SlabRay ray;
-    ray.origin = origin;
     ray.inverse =
         (float3)(safe_inverse(direction.x), safe_inverse(direction.y), safe_inverse(direction.z));
-    ray.near.x = ray.inverse.x < 0.0f ? 64 : 0;
-    ray.near.y = ray.inverse.y < 0.0f ? 192 : 128;
-    ray.near.z = ray.inverse.z < 0.0f ? 320 : 256;
+    const float3 start = -origin * ray.inverse;
+    ray.near = start - fabs(start) * SLAB_SLACK;
+    ray.far = start + fabs(start) * SLAB_SLACK;
+    ray.plane.x = ray.inverse.x < 0.0f ? 64 : 0;
+    ray.plane.y = ray.inverse.y < 0.0f ? 192 : 128;
+    ray.plane.z = ray.inverse.z < 0.0f ? 320 : 256;
     return ray;
 }
 
 INLINE float16 node_row(__global const uchar* node, uint offset) {
     return *(__global const float16*)(node + offset);
+}
+
+INLINE float16 slab_distance(__global const uchar* node, uint plane, float inverse, float start) {
+    return fma(node_row(node, plane), (float16)(inverse), (float16)(start));
 }
 
 // The children whose boxes the ray meets within [t_min, t_max], a bit each, and where it does.
@@ -42,13 +50,12 @@ typedef struct {
 } NodeHits;
 
 INLINE NodeHits meet_node(__global const uchar* node, SlabRay ray, float t_min, float t_max) {
-    const float3 inverse_far = ray.inverse * (1.0f + SLAB_SLACK);
-    const float16 near_x = (node_row(node, ray.near.x) - ray.origin.x) * ray.inverse.x;
-    const float16 near_y = (node_row(node, ray.near.y) - ray.origin.y) * ray.inverse.y;
-    const float16 near_z = (node_row(node, ray.near.z) - ray.origin.z) * ray.inverse.z;
-    const float16 far_x = (node_row(node, ray.near.x ^ 64) - ray.origin.x) * inverse_far.x;
-    const float16 far_y = (node_row(node, ray.near.y ^ 64) - ray.origin.y) * inverse_far.y;
-    const float16 far_z = (node_row(node, ray.near.z ^ 64) - ray.origin.z) * inverse_far.z;
+    const float16 near_x = slab_distance(node, ray.plane.x, ray.inverse.x, ray.near.x);
+    const float16 near_y = slab_distance(node, ray.plane.y, ray.inverse.y, ray.near.y);
+    const float16 near_z = slab_distance(node, ray.plane.z, ray.inverse.z, ray.near.z);
+    const float16 far_x = slab_distance(node, ray.plane.x ^ 64, ray.inverse.x, ray.far.x);
+    const float16 far_y = slab_distance(node, ray.plane.y ^ 64, ray.inverse.y, ray.far.y);
+    const float16 far_z = slab_distance(node, ray.plane.z ^ 64, ray.inverse.z, ray.far.z);
     const float16 near_xy = UPPER(near_x, near_y), near_zt = UPPER(near_z, (float16)(t_min));
     const float16 far_xy = LOWER(far_x, far_y), far_zt = LOWER(far_z, (float16)(t_max));
     NodeHits hits;

@@ -63,11 +63,13 @@ struct Bvh {
     BvhStatistics statistics;
 };
 
-/// Builds one tree per geometry by the binned surface-area heuristic, makes it 16 wide by the
-/// SAH-optimal dynamic programme, and joins the placements by a top level. A geometry that is
-/// placed once, by the identity, is hung directly: its hits have no instance. Node bounds are
-/// padded so that the kernels' slab test is conservative for origins within a few scene extents.
-/// Deterministic, whatever the number of threads. Throws InputError beyond 2^29 blocks or nodes.
+/// Builds trees by the binned surface-area heuristic and makes them 16 wide by the SAH-optimal
+/// dynamic programme. A geometry that is placed once, by the identity, is hung directly: its hits
+/// have no instance. All such geometries share one tree, the world's, in which the instances are
+/// leaves; each instanced geometry has a tree of its own. Placed geometries may be empty. The
+/// bounds in the nodes have the margin that the kernels' slab test counts on to be conservative.
+/// Deterministic, whatever the number of threads. Throws InputError beyond 2^28 blocks, nodes,
+/// spheres or placements.
 Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> placements,
               const BvhOptions& options = {});
 

@@ -55,8 +55,9 @@ class WideTree {
 /// The node that has no children; the root of an empty tree.
 BvhNode empty_node();
 
-/// Enlarged by 2^-21 of its largest absolute coordinate, so that rounding in the kernels' slab test
-/// and in edges stored as differences can't make a ray miss the box of a triangle it hits.
+/// Enlarged by 2^-21 of its largest absolute coordinate: with the slack for the ray's part in the
+/// kernels' slab test, no rounding there, nor in edges stored as differences, makes a ray miss the
+/// box of a triangle that it hits.
 Box padded(const Box& box);
 
 /// Transforms the corners of `box` and bounds them.

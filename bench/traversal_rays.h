@@ -1,0 +1,41 @@
+// The ray sets of the traversal bench: what a path tracer would ask, recorded once and shared by
+// all contenders.
+#pragma once
+
+#include "traversal_model.h"
+
+namespace onde::bench {
+
+struct Ray {
+    glm::vec3 origin{0.0f};
+    float t_min = 0.0f;
+    glm::vec3 direction{0.0f};
+    float t_max = 1e30f;
+};
+static_assert(sizeof(Ray) == 32);
+
+/// As the kernels write it.
+struct Hit {
+    float t, u, v;
+    uint32_t primitive, instance;
+};
+static_assert(sizeof(Hit) == 20);
+
+struct RaySet {
+    std::string name;
+    bool any_hit = false;
+    std::vector<Ray> rays;
+};
+
+class EmbreeTracer;
+
+/// Five sets from a picture of side x side pixels, 4 samples each, in tiles of 8 x 8:
+///   primary  through the pixels, from a pinhole
+///   shadow   from what they hit to a jittered point near the light (any hit)
+///   ao       from there, cosine-distributed, a twentieth of the extent long (any hit)
+///   bounce   from there, cosine-distributed: the first diffuse bounce
+///   bounce3  the third
+/// Rays that would start where nothing was hit are left out.
+std::vector<RaySet> record_rays(const Model& model, const EmbreeTracer& oracle, uint32_t side);
+
+} // namespace onde::bench

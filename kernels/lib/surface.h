@@ -29,27 +29,49 @@ INLINE real3 offset_origin(real3 position, real3 normal, real t) {
     return madd3(normal, max_real(largest, t) * ORIGIN_OFFSET, position);
 }
 
-#if ONDE_INSTANCES
+// Row k of the linear part of an instance's matrix.
+#define INSTANCE_ROW(view, i, matrix, k)                                                           \
+    make3(RECORD(view.bvh.instances, i, BvhInstance, matrix[4 * k]),                               \
+          RECORD(view.bvh.instances, i, BvhInstance, matrix[4 * k + 1]),                           \
+          RECORD(view.bvh.instances, i, BvhInstance, matrix[4 * k + 2]))
+
 // A normal of object space in the world, where the hit is on an instance (inverse transpose).
 INLINE real3 instance_normal(SceneView view, natural instance, real3 n) {
+#if ONDE_INSTANCES
     const mask placed = instance != BVH_NONE;
     if (!mask_bits(placed)) return n;
     const natural i = choose(placed, instance, (natural)(0u));
-    const real3 r0 = RECORD3(view.bvh.instances, i, BvhInstance, world_to_object);
-    const real3 r1 = make3(RECORD(view.bvh.instances, i, BvhInstance, world_to_object[4]),
-                           RECORD(view.bvh.instances, i, BvhInstance, world_to_object[5]),
-                           RECORD(view.bvh.instances, i, BvhInstance, world_to_object[6]));
-    const real3 r2 = make3(RECORD(view.bvh.instances, i, BvhInstance, world_to_object[8]),
-                           RECORD(view.bvh.instances, i, BvhInstance, world_to_object[9]),
-                           RECORD(view.bvh.instances, i, BvhInstance, world_to_object[10]));
-    const real3 world = normalize3(madd3(r2, n.z, madd3(r1, n.y, scale3(r0, n.x))));
-    return choose(placed, world, n);
-}
+    const real3 world = madd3(INSTANCE_ROW(view, i, world_to_object, 2), n.z,
+                              madd3(INSTANCE_ROW(view, i, world_to_object, 1), n.y,
+                                    scale3(INSTANCE_ROW(view, i, world_to_object, 0), n.x)));
+    return choose(placed, normalize3(world), n);
 #else
-INLINE real3 instance_normal(SceneView view, natural instance, real3 n) {
     return n;
-}
 #endif
+}
+
+// A tangent of object space in the world, and the sign of its bitangent there: a mirror image
+// turns the other way.
+typedef struct {
+    real3 direction;
+    real sign;
+} Tangent;
+
+INLINE Tangent instance_tangent(SceneView view, natural instance, Tangent t) {
+#if ONDE_INSTANCES
+    const mask placed = instance != BVH_NONE;
+    if (!mask_bits(placed)) return t;
+    const natural i = choose(placed, instance, (natural)(0u));
+    const real3 x = INSTANCE_ROW(view, i, object_to_world, 0);
+    const real3 y = INSTANCE_ROW(view, i, object_to_world, 1);
+    const real3 z = INSTANCE_ROW(view, i, object_to_world, 2);
+    const real3 world = make3(dot3(x, t.direction), dot3(y, t.direction), dot3(z, t.direction));
+    const mask mirrored = placed & (dot3(x, cross3(y, z)) < 0.0f);
+    t.direction = choose(placed, normalize3(world), t.direction);
+    t.sign = choose(mirrored, -t.sign, t.sign);
+#endif
+    return t;
+}
 
 #if ONDE_NORMAL_MAPS
 // The normal told by the material's normal map (glTF 2.0, section 3.9.3), or n where it has none.
@@ -64,12 +86,15 @@ INLINE real3 mapped_normal(SceneView view, Hits hit, natural record, natural mat
     m = make3(fma(m.x, (real)(2.0f), (real)(-1.0f)) * scale,
               fma(m.y, (real)(2.0f), (real)(-1.0f)) * scale, fma(m.z, (real)(2.0f), (real)(-1.0f)));
     const natural word = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, tangent);
-    const real sign = choose((word & 1u) != 0u, (real)(-1.0f), (real)(1.0f));
-    real3 tangent = instance_normal(view, hit.instance, decode_octahedral(word & ~1u));
+    Tangent frame;
+    frame.sign = choose((word & 1u) != 0u, (real)(-1.0f), (real)(1.0f));
+    frame.direction = decode_octahedral(word & ~1u);
+    frame = instance_tangent(view, hit.instance, frame);
+    real3 tangent = frame.direction;
     tangent = madd3(n, -dot3(n, tangent), tangent);
     const real across = length3(tangent);
     const real3 t = scale3(tangent, 1.0f / max_real(across, (real)(1e-20f)));
-    const real3 b = scale3(cross3(n, t), sign);
+    const real3 b = scale3(cross3(n, t), frame.sign);
     const real3 bent = madd3(n, m.z, madd3(b, m.y, scale3(t, m.x)));
     const mask usable = present & (across > 1e-4f) & (dot3(bent, bent) > 1e-8f);
     return choose(usable, normalize3(choose(usable, bent, n)), n);

@@ -92,8 +92,13 @@ INLINE ShadowRay path_shadow_ray(SceneView view, Path path, Vertex v, Sampler sa
     const mask useful = lanes & light.valid & true_side(v, wi, light.direction) &
                         nonzero3(f.value) & nonzero3(light.radiance);
     ray.origin = vertex_exit(v, light.direction);
-    ray.direction = light.direction;
-    ray.distance = choose(useful, light.distance * SHADOW_SHORTENING, (real)(0.0f));
+    const real3 target = madd3(light.direction, light.distance, v.surface.position);
+    const real3 to = sub3(target, ray.origin); // the origin's offset must not move the target
+    const real length = length3(to);
+    const mask finite = light.distance < INFINITE_DISTANCE;
+    ray.direction = choose(finite, scale3(to, 1.0f / length), light.direction);
+    ray.distance = choose(finite, length * SHADOW_SHORTENING, (real)(INFINITE_DISTANCE));
+    ray.distance = choose(useful, ray.distance, (real)(0.0f));
     return ray;
 }
 

@@ -37,7 +37,7 @@ typedef struct {
 } FrameRecord;
 
 // The counter table of a wave, [row][bounce]: queue lengths, and the ray statistics.
-#define COUNTER_BOUNCES 64
+#define COUNTER_BOUNCES 1024
 #define COUNTER_EXTENSION 0 // rays intersected for their closest hit
 #define COUNTER_SHADOW 1    // rays tested for any hit
 #define COUNTER_ROWS 2

@@ -153,7 +153,7 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
     options.engine = request.engine.value_or(options.engine);
     options.settings = gpu::default_settings(facts);
     resolve_settings(request, options.settings);
-    check_options(options, scene);
+    check_options(options);
     return options;
 }
 

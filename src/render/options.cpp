@@ -12,13 +12,12 @@ static void check_range(const char* name, uint64_t value, uint64_t low, uint64_t
         throw InputError("{} {} is out of range; use {} to {}", name, value, low, high);
 }
 
-void check_options(const RenderOptions& options, const Scene& scene) {
+void check_options(const RenderOptions& options) {
     check_range("width", options.width, 1, 65535);
     check_range("height", options.height, 1, 65535);
     check_range("width x height", uint64_t(options.width) * options.height, 1, 1u << 28);
     check_range("samples per pixel", options.samples, 1, 1u << 24);
     check_range("depth", options.depth, 1, COUNTER_BOUNCES - 1);
-    check_range("camera", options.camera, 0, scene.cameras.size() - 1);
     const gpu::DeviceSettings& s = options.settings;
     if (s.width != 1 && s.width != 8 && s.width != 16)
         throw InputError("width {} of lanes is not one of 1, 8, 16", s.width);

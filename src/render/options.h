@@ -18,7 +18,7 @@ struct RenderOptions {
     uint32_t width = 800, height = 600; ///< pixels, each in [1, 65535]
     uint32_t samples = 64;              ///< per pixel, >= 1
     double seconds = 0;                 ///< stop after about that long; 0: no limit
-    uint32_t depth = 8;                 ///< the most surfaces a path visits, in [1, 64]
+    uint32_t depth = 8;                 ///< the most surfaces a path visits, in [1, 1023]
     uint32_t roulette_start = 3;        ///< first bounce at which Russian roulette may end a path
     uint32_t seed = 0;
     Filter filter = Filter::blackman_harris;
@@ -28,7 +28,7 @@ struct RenderOptions {
     uint32_t samples_in_flight = 16; ///< the most of one pixel in one wave; a power of two
 };
 
-/// Throws InputError unless every value is in its range for this scene.
-void check_options(const RenderOptions& options, const Scene& scene);
+/// Throws InputError unless every value is in its range.
+void check_options(const RenderOptions& options);
 
 } // namespace onde

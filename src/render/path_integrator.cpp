@@ -19,7 +19,7 @@ class PathIntegrator : public Integrator {
     PathIntegrator(const gpu::Device& device, const gpu::KernelSources& sources,
                    const gpu::ProgramCache* cache, const DeviceScene& scene, const Camera& camera,
                    const RenderOptions& options, gpu::Profiler* profiler)
-        : device_(device), options_(options), film_(device, options.width, options.height),
+        : device_(device), options_(checked(options)), film_(device, options.width, options.height),
           engine_(make_engine({device, sources, cache, scene, film_, camera, options_, profiler})) {
     }
 
@@ -50,6 +50,11 @@ class PathIntegrator : public Integrator {
     }
 
   private:
+    static const RenderOptions& checked(const RenderOptions& options) {
+        check_options(options);
+        return options;
+    }
+
     static std::vector<uint64_t> row(const std::vector<uint64_t>& table, uint32_t index) {
         const auto begin = table.begin() + index * COUNTER_BOUNCES;
         std::vector<uint64_t> counts(begin, begin + COUNTER_BOUNCES);

@@ -1,0 +1,124 @@
+// The engines, widths, queues and splits are different ways to the same bits.
+#include "render/picture.h"
+
+#include <fmt/format.h>
+
+namespace onde::test {
+namespace {
+
+struct Variant {
+    const char* name;
+    Engine engine;
+    gpu::Launch launch;
+    gpu::QueueKind queue;
+    uint32_t width;
+    bool packets;
+};
+
+constexpr Variant VARIANTS[] = {
+    {"fused, 16 lanes, packets", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local,
+     16, true},
+    {"fused, 16 lanes", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local, 16,
+     false},
+    {"fused, 8 lanes", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local, 8,
+     false},
+    {"fused, 1 lane", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local, 1, false},
+    {"staged, 16 lanes", Engine::wavefront, gpu::Launch::staged, gpu::QueueKind::chunk_local, 16,
+     false},
+    {"staged, global queue, 16 lanes", Engine::wavefront, gpu::Launch::staged,
+     gpu::QueueKind::global, 16, false},
+    {"staged, global queue, 1 lane", Engine::wavefront, gpu::Launch::staged, gpu::QueueKind::global,
+     1, false},
+    {"megakernel, 16 lanes", Engine::megakernel, gpu::Launch::fused, gpu::QueueKind::chunk_local,
+     16, false},
+    {"megakernel, 1 lane", Engine::megakernel, gpu::Launch::fused, gpu::QueueKind::chunk_local, 1,
+     false},
+};
+
+RenderOptions apply(RenderOptions options, const Variant& variant) {
+    options.engine = variant.engine;
+    options.settings.launch = variant.launch;
+    options.settings.queue = variant.queue;
+    options.settings.width = variant.width;
+    options.settings.primary_packets = variant.packets;
+    return options;
+}
+
+/// The first value that differs, in words; empty when none does.
+std::string first_difference(const Image& a, const Image& b) {
+    for (size_t i = 0; i < a.pixels.size(); i++)
+        if (a.pixels[i] != b.pixels[i])
+            return fmt::format("pixel {},{} channel {}: {} and {}", i / 3 % a.width,
+                               i / 3 / a.width, i % 3, a.pixels[i], b.pixels[i]);
+    return {};
+}
+
+Scene five_objects() {
+    return load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/chapter/five-objects.toml");
+}
+
+} // namespace
+
+TEST_CASE("every engine, width and queue renders every scene with the same bits") {
+    for (const auto& path : project_scenes()) {
+        const Scene scene = load_scene(path);
+        const DeviceScene placed = place_on_device(scene);
+        RenderOptions options = small_options(40, 28, 3);
+        options.depth = scene.settings.depth.value_or(options.depth);
+        const Picture expected =
+            render_packed(placed, scene.cameras[0], apply(options, VARIANTS[0]));
+        for (const Variant& variant : VARIANTS) {
+            INFO(path.filename().string() << ", " << variant.name);
+            const Picture picture =
+                render_packed(placed, scene.cameras[0], apply(options, variant));
+            CHECK(first_difference(expected.image, picture.image) == "");
+            CHECK(expected.rays.extension == picture.rays.extension);
+            CHECK(expected.rays.shadow == picture.rays.shadow);
+            CHECK(picture.invalid.count == 0);
+        }
+    }
+}
+
+TEST_CASE("the picture does not depend on the wave size, the chunk or the samples in flight") {
+    const Scene scene = five_objects();
+    const DeviceScene placed = place_on_device(scene);
+    RenderOptions options = small_options(40, 28, 8);
+    const Image expected = render_packed(placed, scene.cameras[0], options).image;
+    const auto check = [&](uint32_t wave_size, uint32_t chunk, uint32_t samples_in_flight) {
+        options.settings.wave_size = wave_size;
+        options.settings.chunk = chunk;
+        options.samples_in_flight = samples_in_flight;
+        INFO("waves of " << wave_size << ", chunks of " << chunk << ", " << samples_in_flight
+                         << " samples in flight");
+        CHECK(first_difference(expected, render_packed(placed, scene.cameras[0], options).image) ==
+              "");
+    };
+    check(65536, 256, 1);
+    check(65536, 256, 8);
+    check(512, 64, 4);
+    check(64, 16, 2);
+    options.settings.launch = gpu::Launch::staged;
+    check(4096, 16, 8);
+    options.settings.queue = gpu::QueueKind::global;
+    check(256, 16, 4);
+}
+
+TEST_CASE("kernels compiled for what a scene uses render the same bits as kernels that can all") {
+    const Scene scene = five_objects();
+    const RenderOptions options = small_options(40, 28, 2);
+    const DeviceScene lean(device(), pack_scene(scene));
+    const Image expected = render_packed(place_on_device(scene), scene.cameras[0], options).image;
+    CHECK(first_difference(expected, render_packed(lean, scene.cameras[0], options).image) == "");
+}
+
+TEST_CASE("the seed changes the picture, the same seed does not") {
+    const Scene scene = five_objects();
+    const DeviceScene placed = place_on_device(scene);
+    RenderOptions options = small_options(24, 16, 2);
+    const Image first = render_packed(placed, scene.cameras[0], options).image;
+    CHECK(first_difference(first, render_packed(placed, scene.cameras[0], options).image) == "");
+    options.seed = 1;
+    CHECK(first_difference(first, render_packed(placed, scene.cameras[0], options).image) != "");
+}
+
+} // namespace onde::test

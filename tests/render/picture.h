@@ -1,0 +1,102 @@
+// A scene rendered on the tests' device, in one call.
+#pragma once
+
+#include "render/render_loop.h"
+#include "scene/load.h"
+#include "support/assets.h"
+#include "support/probe.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <vector>
+
+namespace onde::test {
+
+struct Picture {
+    Image image;
+    RayCounts rays;
+    Film::Invalid invalid;
+    RenderOutcome outcome;
+};
+
+/// One folder of compiled kernels for a test executable's life: engines are compiled once.
+inline const gpu::ProgramCache& test_cache() {
+    static const gpu::ProgramCache cache(std::filesystem::temp_directory_path() /
+                                         "onde-test-kernels");
+    return cache;
+}
+
+/// Options for small, quick pictures; the device's settings.
+inline RenderOptions small_options(uint32_t width, uint32_t height, uint32_t samples) {
+    RenderOptions options;
+    options.width = width;
+    options.height = height;
+    options.samples = samples;
+    options.filter = Filter::box;
+    options.settings = gpu::default_settings(device().facts());
+    return options;
+}
+
+/// Kernels that can do everything, so that all scenes of a test share one compiled program.
+inline SceneFeatures all_features() {
+    return {.instances = true,
+            .spheres = true,
+            .textures = true,
+            .normal_maps = true,
+            .dielectrics = true,
+            .environment = true,
+            .stack_size = 192};
+}
+
+inline Picture render_packed(const DeviceScene& scene, const Camera& camera,
+                             const RenderOptions& options) {
+    const gpu::KernelSources sources = kernel_sources();
+    const auto integrator =
+        make_path_integrator(device(), sources, &test_cache(), scene, camera, options);
+    const std::atomic<bool> never{false};
+    Picture picture;
+    picture.outcome = render(*integrator, options, never, [](const Progress&) {});
+    picture.image = integrator->film().develop(device());
+    picture.rays = integrator->ray_counts();
+    picture.invalid = integrator->film().find_invalid(device());
+    return picture;
+}
+
+/// A complete scene (see complete_scene) on the device, with kernels that can do everything.
+inline DeviceScene place_on_device(const Scene& scene) {
+    PackedScene packed = pack_scene(scene);
+    packed.features = all_features();
+    return DeviceScene(device(), std::move(packed));
+}
+
+inline Picture render_scene(const Scene& scene, const RenderOptions& options) {
+    check_scene(scene);
+    return render_packed(place_on_device(scene), scene.cameras.at(options.camera), options);
+}
+
+/// The scene files of the project, in alphabetical order.
+inline std::vector<std::filesystem::path> project_scenes() {
+    std::vector<std::filesystem::path> scenes;
+    const auto folder = std::filesystem::path(ONDE_SOURCE_DIR) / "scenes";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
+    std::ranges::sort(scenes);
+    return scenes;
+}
+
+/// A camera at `position` that looks at `target` with +Y up (or +Z where it looks along Y).
+inline Camera camera_at(glm::vec3 position, glm::vec3 target, float vertical_fov) {
+    const glm::vec3 back = glm::normalize(position - target);
+    const glm::vec3 up = std::abs(back.y) > 0.99f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+    const glm::vec3 right = glm::normalize(glm::cross(up, back));
+    Camera camera;
+    camera.camera_to_world = glm::mat4(glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0),
+                                       glm::vec4(back, 0), glm::vec4(position, 1));
+    camera.vertical_fov = vertical_fov;
+    return camera;
+}
+
+} // namespace onde::test

@@ -33,7 +33,8 @@ void measure(Model& model) {
 Model load_model(const std::string& path) {
     const Scene scene = load_scene(path);
     Model model;
-    model.name = std::filesystem::path(path).stem().string();
+    const std::filesystem::path file(path);
+    model.name = (file.parent_path().filename() / file.stem()).string();
     for (const Instance& instance : scene.instances)
         append(model, scene.meshes[instance.mesh], instance.object_to_world);
     if (model.triangles.empty())

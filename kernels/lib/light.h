@@ -154,7 +154,7 @@ INLINE LightSample light_sample(SceneView view, real3 from, real choice, real2 u
 // The density with which light_sample would have produced the ray from `from` that hit the
 // emitting surface `s` at distance t. Lanes whose surface is no light get 0.
 INLINE real light_pdf(SceneView view, real3 from, real3 direction, real t, Surface s) {
-    const mask listed = s.light != NO_INDEX;
+    const mask listed = s.light < LIGHT_UNLISTED;
     const natural light = choose(listed, s.light, (natural)(0u));
     const mask sphere =
         listed & (RECORD_NATURAL(view.lights, light, LightRecord, kind) == LIGHT_SPHERE);

@@ -16,7 +16,7 @@ typedef struct {
     real3 normal;    // shading normal on that side, unit
     real2 uv;
     natural material;
-    natural light; // NO_INDEX when it does not emit
+    natural light; // NO_INDEX when it does not emit; see SurfaceRecord
     mask front;    // whether that side is the front face
 } Surface;
 

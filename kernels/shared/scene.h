@@ -28,6 +28,7 @@ typedef struct {
     uint normal_texture;
 } MaterialRecord;
 
+#define LIGHT_UNLISTED 0xfffffffeu // emits too little to be worth sampling; rays may find it
 #define SURFACE_SPHERE 0x80000000u // flag in SurfaceRecord.material
 
 // 64 bytes, one per primitive. Unit vectors are octahedral, 2 x 16 bits (see lib/octahedral.h).
@@ -39,7 +40,7 @@ typedef struct {
     float uv[6];   // u0 v0 u1 v1 u2 v2
     float geometric[3];
     uint tangent; // octahedral with the lowest bit replaced by the sign of the bitangent
-    uint light;   // index into the lights, or NO_INDEX
+    uint light;   // index into the lights, NO_INDEX, or LIGHT_UNLISTED
     uint unused;
 } SurfaceRecord;
 

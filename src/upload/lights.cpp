@@ -2,8 +2,10 @@
 
 #include "scene/load.h"
 #include "upload/alias_table.h"
+#include "upload/appearance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 
@@ -30,8 +32,44 @@ struct WeightedLights {
     }
 };
 
-void add_primitive(const Scene& scene, const EmissivePrimitive& e, WeightedLights& lights) {
+/// Mean luminance of a triangle's emission texture, from its nearest texels at a grid of points.
+double mean_texture(const Scene& scene, int32_t index, const SurfaceRecord& surface) {
+    constexpr int STEPS = 12;
+    static const std::vector<float> linear = srgb_table();
+    const ByteImage& image = scene.textures[size_t(index)].image;
+    const auto texel = [&](float t, uint32_t size) {
+        return std::min(uint32_t((t - std::floor(t)) * float(size)), size - 1);
+    };
+    double sum = 0;
+    int count = 0;
+    for (int i = 0; i < STEPS; i++)
+        for (int j = 0; i + j < STEPS; j++, count++) {
+            const float b1 = (float(i) + 0.33f) / STEPS, b2 = (float(j) + 0.33f) / STEPS;
+            const float* uv = surface.uv;
+            const float u = uv[0] * (1 - b1 - b2) + uv[2] * b1 + uv[4] * b2;
+            const float v = uv[1] * (1 - b1 - b2) + uv[3] * b1 + uv[5] * b2;
+            const size_t at = size_t(texel(v, image.height)) * image.width + texel(u, image.width);
+            const uint8_t* rgba = &image.rgba[4 * at];
+            sum += luminance({linear[rgba[0]], linear[rgba[1]], linear[rgba[2]]});
+        }
+    return sum / count;
+}
+
+/// The luminance of the emission, averaged over the primitive.
+double mean_emission(const Scene& scene, const FlatGeometry& flat, const EmissivePrimitive& e) {
     const Material& material = scene.materials[e.material];
+    const double factor = luminance(material.emission);
+    if (e.sphere || material.emission_texture == NO_TEXTURE) return factor;
+    return factor * mean_texture(scene, material.emission_texture, flat.surfaces[e.primitive]);
+}
+
+void add_primitive(const Scene& scene, FlatGeometry& flat, const EmissivePrimitive& e,
+                   WeightedLights& lights) {
+    const Material& material = scene.materials[e.material];
+    const double emission = mean_emission(scene, flat, e);
+    flat.surfaces[e.primitive].light =
+        emission > 0 ? uint32_t(lights.records.size()) : LIGHT_UNLISTED;
+    if (!(emission > 0)) return;
     LightRecord record{};
     record.kind = e.sphere ? LIGHT_SPHERE : LIGHT_TRIANGLE;
     copy(record.position, e.position);
@@ -44,7 +82,7 @@ void add_primitive(const Scene& scene, const EmissivePrimitive& e, WeightedLight
                                  : 0.5 * glm::length(glm::cross(e.edge1, e.edge2));
     record.area = e.sphere ? e.radius : float(area);
     const double faces = !e.sphere && material.two_sided ? 2 : 1;
-    lights.add(record, PI * area * faces * luminance(material.emission));
+    lights.add(record, PI * area * faces * emission);
 }
 
 /// The environment's mean radiance, by luminance, weighted by solid angle.
@@ -63,6 +101,15 @@ double mean_radiance(const Environment& environment) {
     return sum / weight;
 }
 
+/// Scales the lights from `first` on down to the sum of those before, where there are any.
+void limit_to_others(WeightedLights& lights, size_t first) {
+    const auto middle = lights.power.begin() + ptrdiff_t(first);
+    const double others = std::accumulate(lights.power.begin(), middle, 0.0);
+    const double own = std::accumulate(middle, lights.power.end(), 0.0);
+    if (others > 0 && own > others)
+        for (auto power = middle; power != lights.power.end(); ++power) *power *= others / own;
+}
+
 void add_environment(const Scene& scene, double scene_radius, WeightedLights& lights) {
     const double mean = mean_radiance(scene.environment);
     if (!(mean > 0)) return;
@@ -70,7 +117,7 @@ void add_environment(const Scene& scene, double scene_radius, WeightedLights& li
     const double power = 4 * PI * PI * scene_radius * scene_radius * mean;
     LightRecord record{};
     record.kind = LIGHT_ENVIRONMENT;
-    lights.add(record, others > 0 ? std::clamp(power, others / 3, others * 3) : 1.0);
+    lights.add(record, others > 0 ? std::clamp(power, others / 3, others) : 1.0);
 }
 
 } // namespace
@@ -79,10 +126,7 @@ LightList build_lights(const Scene& scene, FlatGeometry& flat) {
     const SceneBounds bounds = scene_bounds(scene);
     const double radius = std::max(0.5 * double(glm::length(bounds.high - bounds.low)), 1e-6);
     WeightedLights lights;
-    for (const EmissivePrimitive& e : flat.emissive) {
-        flat.surfaces[e.primitive].light = uint32_t(lights.records.size());
-        add_primitive(scene, e, lights);
-    }
+    for (const EmissivePrimitive& e : flat.emissive) add_primitive(scene, flat, e, lights);
     for (const PointLight& light : scene.point_lights) {
         LightRecord record{};
         record.kind = LIGHT_POINT;
@@ -90,6 +134,7 @@ LightList build_lights(const Scene& scene, FlatGeometry& flat) {
         copy(record.radiance, light.intensity);
         lights.add(record, 4 * PI * luminance(light.intensity));
     }
+    const size_t local = lights.records.size();
     for (const DirectionalLight& light : scene.directional_lights) {
         LightRecord record{};
         record.kind = LIGHT_DIRECTIONAL;
@@ -97,6 +142,7 @@ LightList build_lights(const Scene& scene, FlatGeometry& flat) {
         copy(record.radiance, light.irradiance);
         lights.add(record, PI * radius * radius * luminance(light.irradiance));
     }
+    limit_to_others(lights, local);
     const size_t finite = lights.records.size();
     add_environment(scene, radius, lights);
 

@@ -15,9 +15,10 @@ struct LightList {
 };
 
 /// Lights in the order: emissive primitives, points, directions, environment. The probability of
-/// each is proportional to an estimate of its power in the scene; the environment gets at
-/// least a quarter and at most three quarters where there are others. Sets the light of the
-/// surfaces.
+/// each is proportional to an estimate of its power in the scene. Light from infinity counts at
+/// most as much as all the rest together, the environment at least a third of that: a large floor
+/// must not draw all samples to a dim sky. Triangles whose emission texture is black are not
+/// listed. Sets the light of the surfaces.
 LightList build_lights(const Scene& scene, FlatGeometry& flat);
 
 } // namespace onde

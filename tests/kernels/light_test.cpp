@@ -222,6 +222,7 @@ TEST_CASE("inside, a two-sided sphere light is sampled all around, a one-sided o
     SceneProbe two_sided(sphere_scene(true), {"light_sample", "surface"});
     const LightSamples samples = sample(two_sided, from);
     for (size_t i = 0; i < COUNT; i++) {
+        REQUIRE((samples.valid[i] == 1 && samples.distance[i] > 0));
         REQUIRE(double(samples.pdf[i]) == Approx(0.25 / M_PI));
         const glm::vec3 end = from + samples.distance[i] * samples.direction[i];
         REQUIRE(glm::length(end - glm::vec3(1, 2, 3)) == Approx(0.75).epsilon(1e-5));
@@ -229,6 +230,35 @@ TEST_CASE("inside, a two-sided sphere light is sampled all around, a one-sided o
     check_found_pdf(two_sided, from, 1e-4);
     SceneProbe one_sided(sphere_scene(false), {"light_sample"});
     for (float valid : sample(one_sided, from).valid) REQUIRE(valid == 0.0f);
+}
+
+TEST_CASE("the choice of the light is part of every density") {
+    Scene scene = triangle_scene();
+    scene.materials.push_back(emitter(5));
+    scene.spheres.push_back({{-3, 1, 0}, 0.5f, 1});
+    scene.point_lights.push_back({{0, -4, 3}, {10, 20, 30}});
+    SceneProbe probe(scene, {"light_sample", "surface"});
+    const LightSamples samples = sample(probe, {0, 0, 0});
+    LightSamples areas = samples;
+    for (size_t i = 0; i < COUNT; i++) {
+        if (samples.delta[i] == 0) continue;
+        areas.valid[i] = 0;
+        REQUIRE(samples.pdf[i] == probe.packed().lights[2].pmf);
+    }
+    const double sine2 = 0.25 / 10;
+    const double sphere = 2 * M_PI * (1 - std::sqrt(1 - sine2));
+    const auto [angle, deviation] = integrate(areas, [](glm::vec3) { return 1.0; });
+    CHECK(angle == Approx(solid_angle(TRIANGLE, {0, 0, 0}) + sphere).margin(5 * deviation));
+    CHECK(deviation < 0.02);
+    const Columns out = look(probe, {0, 0, 0}, areas.direction);
+    const auto error = [&](size_t i) {
+        if (areas.valid[i] == 0 || out[0][i] == 0) return 0.0;
+        return std::abs(double(out[16][i]) / double(areas.pdf[i]) - 1);
+    };
+    CHECK(worst_item(COUNT, 1e-4, error, [&](size_t i) {
+              return fmt::format("found with density {}, sampled with {}", out[16][i],
+                                 areas.pdf[i]);
+          }) == "");
 }
 
 TEST_CASE("point lights fall off with the square of the distance, directional ones do not") {

@@ -1,2 +1,2 @@
-include(${CMAKE_CURRENT_LIST_DIR}/native_tracer.cmake OPTIONAL)
+include(${CMAKE_CURRENT_LIST_DIR}/engines.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/traversal.cmake)

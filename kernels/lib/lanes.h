@@ -25,6 +25,15 @@
 #endif
 
 #define INLINE static inline __attribute__((always_inline))
+// For functions so large that PoCL, which compiles every kernel twice, should not inline them.
+#ifndef ONDE_CPU
+    #define ONDE_CPU 0
+#endif
+#if ONDE_CPU
+    #define OUTLINED static __attribute__((noinline))
+#else
+    #define OUTLINED INLINE
+#endif
 #define OVERLOAD static inline __attribute__((always_inline, overloadable))
 
 #define ONDE_JOIN_(a, b) a##b

@@ -112,8 +112,8 @@ INLINE mask path_roulette(Path* path, Sampler sampler, uint bounce, mask lanes) 
 
 // One vertex of the paths in `lanes`: `hit` is what their rays met. `bounce` counts from 0 at the
 // first surface.
-INLINE PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sampler, uint bounce,
-                              mask lanes) {
+OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sampler, uint bounce,
+                                mask lanes) {
     PathVertex result;
     result.emitted = zero3();
     result.shadow.origin = path.origin;

@@ -1,8 +1,11 @@
 #include "app/cache_command.h"
 
+#include "app/prewarm.h"
 #include "gpu/program.h"
 
 #include <fmt/format.h>
+
+#include <memory>
 
 namespace onde::app {
 namespace {
@@ -27,6 +30,20 @@ void clear() {
     fmt::print("{} programs removed from {}\n", cache.clear(), folder_name(cache));
 }
 
+void add_prewarm(CLI::App& cache) {
+    struct Options {
+        std::vector<std::string> scenes;
+        std::string device;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = cache.add_subcommand(
+        "prewarm", "Compile the kernels that these scenes need, or common ones");
+    command->add_option("scenes", options->scenes, "Scenes: .gltf, .glb, .obj or .toml")
+        ->type_name("SCENE");
+    command->add_option("--device", options->device, "Device by number or part of its name");
+    command->callback([options] { prewarm(options->scenes, options->device); });
+}
+
 } // namespace
 
 void add_cache_command(CLI::App& app) {
@@ -34,6 +51,7 @@ void add_cache_command(CLI::App& app) {
     cache->require_subcommand(1);
     cache->add_subcommand("list", "List the entries, their sizes and the folder")->callback(list);
     cache->add_subcommand("clear", "Remove all entries")->callback(clear);
+    add_prewarm(*cache);
 }
 
 } // namespace onde::app

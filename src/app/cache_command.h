@@ -5,7 +5,8 @@
 
 namespace onde::app {
 
-/// Adds the subcommand with its own subcommands: list and clear.
+/// Adds the subcommand with its own subcommands: list, clear and prewarm, which compiles what
+/// rendering needs ahead of time. Throws InputError and DeviceError.
 void add_cache_command(CLI::App& app);
 
 } // namespace onde::app

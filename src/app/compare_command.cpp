@@ -1,5 +1,6 @@
 #include "app/compare_command.h"
 
+#include "app/json.h"
 #include "core/error.h"
 #include "image/compare.h"
 #include "image/image_io.h"
@@ -7,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -35,21 +35,22 @@ void print_table(const Metrics& m) {
                m.non_finite_a, m.non_finite_b);
 }
 
-/// JSON has no infinity and no NaN: those become null.
-std::string number(double value) {
-    return std::isfinite(value) ? fmt::format("{:.9g}", value) : "null";
-}
-
 void print_json(const Metrics& m) {
-    fmt::print(
-        "{{\"mean_a\": {}, \"mean_b\": {}, \"rmse\": {}, \"relative_mse\": {}, \"psnr\": {}, "
-        "\"max_error\": {}, ",
-        number(m.mean_a), number(m.mean_b), number(m.rmse), number(m.relative_mse), number(m.psnr),
-        number(m.max_error));
-    fmt::print("\"worst\": {{\"x\": {}, \"y\": {}, \"channel\": {}, \"a\": {}, \"b\": {}}}, ",
-               m.worst.x, m.worst.y, m.worst.channel, number(m.worst.a), number(m.worst.b));
-    fmt::print("\"pixels\": {}, \"non_finite_a\": {}, \"non_finite_b\": {}}}\n", m.pixels,
-               m.non_finite_a, m.non_finite_b);
+    const Json worst = {{"x", m.worst.x},
+                        {"y", m.worst.y},
+                        {"channel", m.worst.channel},
+                        {"a", m.worst.a},
+                        {"b", m.worst.b}};
+    fmt::print("{}", json_line({{"mean_a", m.mean_a},
+                                {"mean_b", m.mean_b},
+                                {"rmse", m.rmse},
+                                {"relative_mse", m.relative_mse},
+                                {"psnr", m.psnr},
+                                {"max_error", m.max_error},
+                                {"worst", worst},
+                                {"pixels", m.pixels},
+                                {"non_finite_a", m.non_finite_a},
+                                {"non_finite_b", m.non_finite_b}}));
 }
 
 void write_difference(const std::filesystem::path& path, const Image& difference) {

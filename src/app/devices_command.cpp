@@ -1,9 +1,9 @@
 #include "app/devices_command.h"
 
+#include "app/json.h"
 #include "gpu/device.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -45,49 +45,39 @@ void print_table(const std::vector<PlatformReport>& platforms) {
     if (by_default) fmt::print("* is used unless --device names another\n");
 }
 
-/// A JSON string of the text (RFC 8259, section 7). Drivers write ASCII or UTF-8.
-std::string json_string(std::string_view text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\')
-            result += {'\\', c};
-        else if (static_cast<unsigned char>(c) < 0x20)
-            result += fmt::format("\\u{:04x}", int(c));
-        else
-            result += c;
-    }
-    return result + '"';
+Json problem_json(const std::string& problem) {
+    return problem.empty() ? Json(nullptr) : Json(problem);
 }
 
-std::string problem_json(const std::string& problem) {
-    return problem.empty() ? "null" : json_string(problem);
-}
-
-std::string device_json(const DeviceFacts& facts, size_t index, bool is_default) {
-    return fmt::format(
-        R"({{"index": {}, "default": {}, "name": {}, "vendor": {}, "type": {}, "units": {}, )"
-        R"("memory_bytes": {}, "largest_buffer_bytes": {}, "driver": {}, "problem": {}}})",
-        index, is_default, json_string(facts.name), json_string(facts.vendor),
-        json_string(device_type(facts)), facts.compute_units, facts.global_memory,
-        facts.max_allocation, json_string(facts.driver_version), problem_json(facts.problem));
+Json device_json(const DeviceFacts& facts, size_t index, bool is_default) {
+    return {{"index", index},
+            {"default", is_default},
+            {"name", facts.name},
+            {"vendor", facts.vendor},
+            {"type", device_type(facts)},
+            {"units", facts.compute_units},
+            {"memory_bytes", facts.global_memory},
+            {"largest_buffer_bytes", facts.max_allocation},
+            {"driver", facts.driver_version},
+            {"problem", problem_json(facts.problem)}};
 }
 
 void print_json(const std::vector<PlatformReport>& platforms) {
     const std::optional<size_t> by_default = gpu::choose_device(platforms);
-    std::vector<std::string> all;
+    Json all = Json::array();
     size_t index = 0;
     for (const PlatformReport& platform : platforms) {
-        std::vector<std::string> devices;
+        Json devices = Json::array();
         for (const DeviceFacts& facts : platform.devices) {
             devices.push_back(device_json(facts, index, index == by_default));
             ++index;
         }
-        all.push_back(
-            fmt::format(R"({{"name": {}, "version": {}, "problem": {}, "devices": [{}]}})",
-                        json_string(platform.name), json_string(platform.version),
-                        problem_json(platform.problem), fmt::join(devices, ", ")));
+        all.push_back({{"name", platform.name},
+                       {"version", platform.version},
+                       {"problem", problem_json(platform.problem)},
+                       {"devices", devices}});
     }
-    fmt::print("{{\"platforms\": [{}]}}\n", fmt::join(all, ",\n "));
+    fmt::print("{}", json_text({{"platforms", all}}));
 }
 
 } // namespace

@@ -1,5 +1,9 @@
 #include "app/info_command.h"
 
+#include "app/json.h"
+#include "app/render_request.h"
+#include "gpu/device.h"
+#include "render/memory_plan.h"
 #include "scene/load.h"
 
 #include <fmt/format.h>
@@ -11,6 +15,13 @@
 namespace onde::app {
 
 namespace {
+
+/// What rendering the scene with the default settings takes on the default device.
+struct DeviceMemory {
+    std::string device;
+    RenderOptions options;
+    MemoryPlan plan;
+};
 
 constexpr std::array KIND_NAMES = {"diffuse", "conductor", "dielectric", "metallic-roughness"};
 
@@ -40,12 +51,6 @@ uint64_t host_bytes(const Scene& scene, uint64_t texture_bytes) {
     return bytes;
 }
 
-std::string size_text(uint64_t bytes) {
-    if (bytes < 1024) return fmt::format("{} B", bytes);
-    if (bytes < 1024 * 1024) return fmt::format("{:.1f} KiB", double(bytes) / 1024);
-    return fmt::format("{:.1f} MiB", double(bytes) / (1024 * 1024));
-}
-
 std::string vector_text(const glm::vec3& v) {
     return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z);
 }
@@ -64,7 +69,46 @@ void print_settings(const RenderSettings& settings) {
     if (settings.depth) fmt::print("depth         {}\n", *settings.depth);
 }
 
-void print_text(const Scene& scene, const SceneSummary& summary) {
+/// The device that a render takes by default; a CPU of no name where there is none.
+gpu::DeviceFacts default_device() {
+    const auto platforms = gpu::list_platforms();
+    std::vector<gpu::DeviceFacts> all;
+    for (const gpu::PlatformReport& platform : platforms)
+        all.insert(all.end(), platform.devices.begin(), platform.devices.end());
+    if (const auto chosen = gpu::choose_device(platforms)) return all.at(*chosen);
+    gpu::DeviceFacts cpu;
+    cpu.name = "a CPU (there is no OpenCL device)";
+    cpu.is_cpu = true;
+    return cpu;
+}
+
+DeviceMemory plan_device_memory(const Scene& scene) {
+    const gpu::DeviceFacts facts = default_device();
+    DeviceMemory memory{facts.name, resolve_options({}, scene, facts), {}};
+    memory.plan = plan_memory(memory.options);
+    memory.plan.scene = pack_scene(scene).device_buffers();
+    return memory;
+}
+
+void print_buffers(const std::vector<BufferSize>& buffers) {
+    for (const BufferSize& buffer : buffers)
+        if (buffer.bytes > 0) fmt::print("  {:<21} {:>10}\n", buffer.name, size_text(buffer.bytes));
+}
+
+void print_memory(const DeviceMemory& memory) {
+    const MemoryPlan& plan = memory.plan;
+    fmt::print("device memory {}, on {}\n", size_text(plan.bytes()), memory.device);
+    fmt::print(" scene {}\n", size_text(total_bytes(plan.scene)));
+    print_buffers(plan.scene);
+    fmt::print(" {} paths in flight {}\n", memory.options.settings.wave_size,
+               size_text(total_bytes(plan.paths)));
+    print_buffers(plan.paths);
+    fmt::print(" film of {} x {} {}\n", memory.options.width, memory.options.height,
+               size_text(total_bytes(plan.film)));
+    print_buffers(plan.film);
+}
+
+void print_text(const Scene& scene, const SceneSummary& summary, const DeviceMemory& memory) {
     const SceneBounds bounds = scene_bounds(scene);
     fmt::print("triangles     {} unique, {} instanced, {} of them emissive\n",
                summary.unique_triangles, summary.instanced_triangles, summary.emissive_triangles);
@@ -82,67 +126,67 @@ void print_text(const Scene& scene, const SceneSummary& summary) {
     print_settings(scene.settings);
     fmt::print("bounds        {} to {}\n", vector_text(bounds.low), vector_text(bounds.high));
     fmt::print("host memory   {}\n", size_text(summary.host_bytes));
+    print_memory(memory);
     fmt::print("hash          {}\n", scene_hash(scene));
     for (const std::string& note : scene.notes) fmt::print("note          {}\n", note);
 }
 
-/// A JSON string of UTF-8 text (RFC 8259, section 7).
-std::string json_string(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\')
-            result += {'\\', c};
-        else if (static_cast<unsigned char>(c) < 0x20)
-            result += fmt::format("\\u{:04x}", int(c));
-        else
-            result += c;
-    }
-    return result + '"';
+Json json_vector(const glm::vec3& v) {
+    return Json::array({v.x, v.y, v.z});
 }
 
-std::string json_vector(const glm::vec3& v) {
-    return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
+Json json_kinds(const SceneSummary& summary) {
+    Json kinds = Json::object();
+    for (const auto& [kind, count] : summary.materials_by_kind) kinds[kind] = count;
+    return kinds;
 }
 
-template <class T, class Convert>
-std::string json_list(const std::vector<T>& values, Convert convert) {
-    std::string list = "[";
-    for (const T& value : values) list += (list.size() > 1 ? ", " : "") + convert(value);
-    return list + "]";
+Json json_cameras(const std::vector<Camera>& cameras) {
+    Json list = Json::array();
+    for (const Camera& camera : cameras)
+        list.push_back(
+            {{"name", camera.name}, {"vertical_fov_degrees", glm::degrees(camera.vertical_fov)}});
+    return list;
 }
 
-std::string json_kinds(const SceneSummary& summary) {
-    std::string object = "{";
-    for (const auto& [kind, count] : summary.materials_by_kind)
-        object += fmt::format("{}\"{}\": {}", object.size() > 1 ? ", " : "", kind, count);
-    return object + "}";
+Json json_buffers(const std::vector<BufferSize>& buffers) {
+    Json sizes = Json::object();
+    for (const BufferSize& buffer : buffers) sizes[buffer.name] = buffer.bytes;
+    return sizes;
 }
 
-std::string json_camera(const Camera& camera) {
-    return fmt::format(R"({{"name": {}, "vertical_fov_degrees": {}}})", json_string(camera.name),
-                       glm::degrees(camera.vertical_fov));
+Json json_memory(const DeviceMemory& memory) {
+    return {{"device", memory.device},
+            {"width", memory.options.width},
+            {"height", memory.options.height},
+            {"scene", json_buffers(memory.plan.scene)},
+            {"paths", json_buffers(memory.plan.paths)},
+            {"film", json_buffers(memory.plan.film)},
+            {"bytes", memory.plan.bytes()}};
 }
 
-void print_json(const Scene& scene, const SceneSummary& summary) {
+void print_json(const Scene& scene, const SceneSummary& summary, const DeviceMemory& memory) {
     const SceneBounds bounds = scene_bounds(scene);
-    fmt::print("{{\n");
-    fmt::print("  \"unique_triangles\": {},\n", summary.unique_triangles);
-    fmt::print("  \"instanced_triangles\": {},\n", summary.instanced_triangles);
-    fmt::print("  \"emissive_triangles\": {},\n", summary.emissive_triangles);
-    fmt::print("  \"meshes\": {},\n  \"instances\": {},\n  \"spheres\": {},\n", scene.meshes.size(),
-               scene.instances.size(), scene.spheres.size());
-    fmt::print("  \"materials\": {},\n", json_kinds(summary));
-    fmt::print("  \"textures\": {},\n  \"texture_bytes\": {},\n", scene.textures.size(),
-               summary.texture_bytes);
-    fmt::print("  \"point_lights\": {},\n  \"directional_lights\": {},\n",
-               scene.point_lights.size(), scene.directional_lights.size());
-    fmt::print("  \"environment_radiance\": {},\n  \"environment_map\": {},\n",
-               json_vector(scene.environment.radiance), scene.environment.map.has_value());
-    fmt::print("  \"cameras\": {},\n", json_list(scene.cameras, json_camera));
-    fmt::print("  \"bounds\": [{}, {}],\n", json_vector(bounds.low), json_vector(bounds.high));
-    fmt::print("  \"host_bytes\": {},\n  \"hash\": \"{}\",\n", summary.host_bytes,
-               scene_hash(scene));
-    fmt::print("  \"notes\": {}\n}}\n", json_list(scene.notes, json_string));
+    fmt::print("{}", json_text({{"unique_triangles", summary.unique_triangles},
+                                {"instanced_triangles", summary.instanced_triangles},
+                                {"emissive_triangles", summary.emissive_triangles},
+                                {"meshes", scene.meshes.size()},
+                                {"instances", scene.instances.size()},
+                                {"spheres", scene.spheres.size()},
+                                {"materials", json_kinds(summary)},
+                                {"textures", scene.textures.size()},
+                                {"texture_bytes", summary.texture_bytes},
+                                {"point_lights", scene.point_lights.size()},
+                                {"directional_lights", scene.directional_lights.size()},
+                                {"environment_radiance", json_vector(scene.environment.radiance)},
+                                {"environment_map", scene.environment.map.has_value()},
+                                {"cameras", json_cameras(scene.cameras)},
+                                {"bounds",
+                                 Json::array({json_vector(bounds.low), json_vector(bounds.high)})},
+                                {"host_bytes", summary.host_bytes},
+                                {"device_memory", json_memory(memory)},
+                                {"hash", scene_hash(scene)},
+                                {"notes", scene.notes}}));
 }
 
 } // namespace
@@ -173,16 +217,18 @@ void add_info_command(CLI::App& app) {
         bool json = false;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("info", "Say what a scene file contains");
+    CLI::App* command =
+        app.add_subcommand("info", "Say what a scene file contains and the memory it takes");
     command->add_option("scene", options->scene, "A .gltf, .glb, .obj or .toml file")->required();
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options] {
         const Scene scene = load_scene(options->scene);
         const SceneSummary summary = summarize(scene);
+        const DeviceMemory memory = plan_device_memory(scene);
         if (options->json)
-            print_json(scene, summary);
+            print_json(scene, summary, memory);
         else
-            print_text(scene, summary);
+            print_text(scene, summary, memory);
     });
 }
 

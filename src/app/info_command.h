@@ -1,4 +1,5 @@
-// `onde info SCENE`: what a scene file contains, and what was mapped, ignored or added.
+// `onde info SCENE`: what a scene file contains, what was mapped, ignored or added, and the memory
+// that rendering it takes.
 #pragma once
 
 #include "scene/scene.h"

@@ -4,6 +4,7 @@
 #include "app/devices_command.h"
 #include "app/info_command.h"
 #include "app/render_command.h"
+#include "app/usage_error.h"
 
 #include "core/error.h"
 #include "core/log.h"
@@ -38,7 +39,8 @@ int main(int argc, char** argv) try {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? SUCCESS : WRONG_INPUT;
+        if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
+        return fail(WRONG_INPUT, onde::app::usage_sentence(app, error).c_str());
     }
     return interrupted ? INTERRUPTED : SUCCESS;
 } catch (const onde::InputError& error) {

@@ -6,6 +6,7 @@
 
 #include "core/log.h"
 #include "core/timer.h"
+#include "render/memory_plan.h"
 #include "scene/load.h"
 #include "upload/device_scene.h"
 
@@ -81,23 +82,30 @@ bool run(const RenderRequest& request) {
     set_up_logging(request.quiet);
     const Timer total;
     RenderReport report;
+    check_request(request);
     const auto outputs = resolve_outputs(request);
     const gpu::KernelSources sources = request.kernels.empty()
                                            ? gpu::KernelSources::embedded()
                                            : gpu::KernelSources::folder(request.kernels);
-    const Scene scene = load(request);
-    report.load_seconds = total.seconds();
     const gpu::Device device = gpu::open_device(request.device);
+    const Timer loading;
+    const Scene scene = load(request);
+    report.load_seconds = loading.seconds();
     report.device = device.facts();
     report.options = resolve_options(request, scene, device.facts());
     report.scene = request.scene.string();
     report.scene_hash = scene_hash(scene);
+    MemoryPlan plan = plan_memory(report.options);
+    check_memory(plan, device.facts());
 
     const Timer packing;
-    const DeviceScene device_scene(device, pack_scene(scene));
+    PackedScene packed = pack_scene(scene);
+    plan.scene = packed.device_buffers();
+    check_memory(plan, device.facts());
+    const DeviceScene device_scene(device, std::move(packed));
     report.pack_seconds = packing.seconds();
     report.bvh = device_scene.packed().bvh.statistics;
-    report.scene_bytes = device_scene.packed().device_bytes();
+    report.scene_bytes = total_bytes(plan.scene);
 
     const gpu::ProgramCache cache;
     gpu::Profiler profiler;
@@ -107,7 +115,7 @@ bool run(const RenderRequest& request) {
         scene.cameras[report.options.camera], report.options, profiled ? &profiler : nullptr);
     report.kernels = integrator->build_report();
     report.state_bytes = integrator->state_bytes();
-    report.film_bytes = uint64_t(report.options.width) * report.options.height * 16;
+    report.film_bytes = total_bytes(plan.film);
     spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", report.options.width,
                  report.options.height, report.device.name,
                  report.kernels.from_cache ? "loaded" : "compiled", report.kernels.seconds);

@@ -1,10 +1,10 @@
 #include "app/render_report.h"
 
+#include "app/json.h"
 #include "core/error.h"
 #include "core/files.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <numeric>
@@ -64,7 +64,7 @@ void print_report(const RenderReport& r) {
 }
 
 void write_report(const RenderReport& r, const std::filesystem::path& path) {
-    nlohmann::json json = {
+    Json json = {
         {"scene", r.scene},
         {"scene_hash", r.scene_hash},
         {"version", ONDE_VERSION},
@@ -102,7 +102,7 @@ void write_report(const RenderReport& r, const std::filesystem::path& path) {
         json["kernels"][name] = {{"seconds", time.seconds}, {"launches", time.launches}};
     replace_file(path, [&](const std::filesystem::path& temporary) {
         std::ofstream out(temporary);
-        out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+        out << json_text(json);
         if (!out.flush()) throw InputError("{}: cannot be written", path.string());
     });
 }

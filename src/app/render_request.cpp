@@ -7,10 +7,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 
 namespace onde::app {
 namespace {
+
+/// As in scene files.
+constexpr float MOST_STOPS = 64.0f;
 
 const std::map<std::string, Engine> ENGINES{{"wavefront", Engine::wavefront},
                                             {"megakernel", Engine::megakernel}};
@@ -68,8 +72,7 @@ void declare_picture(CLI::App& command, RenderRequest& r) {
     command.add_option("--size", r.size, "Pixels, for example 640x480")->type_name("WxH");
     command.add_option("--spp", r.samples, "Samples per pixel")->type_name("N");
     command.add_option("--time", r.seconds, "Stop after about that many seconds")
-        ->type_name("SECONDS")
-        ->check(CLI::PositiveNumber);
+        ->type_name("SECONDS");
     command.add_option("--camera", r.camera, "Camera of the scene, by name or number");
     command
         .add_option("--environment", r.environment,
@@ -133,6 +136,19 @@ void declare_options(CLI::App& command, RenderRequest& request) {
     declare_picture(command, request);
     declare_method(command, request);
     declare_machine(command, request);
+}
+
+void check_request(const RenderRequest& r) {
+    if (!r.size.empty()) parse_size(r.size);
+    // CLI11 reads "nan" and "inf" as numbers.
+    if (r.seconds && !(*r.seconds > 0 && std::isfinite(*r.seconds)))
+        throw InputError("--time {} is not a positive number of seconds", *r.seconds);
+    if (r.exposure && !(std::abs(*r.exposure) <= MOST_STOPS))
+        throw InputError("--exposure {} is out of range; use {} to {} stops", *r.exposure,
+                         -MOST_STOPS, MOST_STOPS);
+    if (!std::isfinite(r.environment_rotation))
+        throw InputError("--environment-rotation {} is not a number of degrees",
+                         r.environment_rotation);
 }
 
 RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,

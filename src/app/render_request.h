@@ -36,6 +36,9 @@ struct RenderRequest {
 /// Declares every option of `onde render` on its subcommand.
 void declare_options(CLI::App& command, RenderRequest& request);
 
+/// Throws InputError for values that are wrong whatever the scene is.
+void check_request(const RenderRequest& request);
+
 /// The request over the scene's own settings over the defaults. Throws InputError.
 RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
                               const gpu::DeviceFacts& facts);

@@ -4,6 +4,7 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "render/options.h"
+#include "upload/pack.h"
 
 #include <CL/cl_platform.h>
 
@@ -18,9 +19,13 @@ class WaveMemory {
     /// two copies of the state.
     void bind(gpu::Kernel& kernel, uint32_t first, uint32_t bounce, bool swapped) const;
 
-    uint64_t bytes() const;
+    uint64_t bytes() const { return bytes_; }
+
+    /// The buffers that a WaveMemory of these settings is made of.
+    static std::vector<BufferSize> plan(const gpu::DeviceSettings& settings);
 
   private:
+    uint64_t bytes_;
     uint32_t stride_;
     gpu::Buffer<float> state_, next_state_, shadow_;
     gpu::Buffer<cl_float4> radiance_;

@@ -33,12 +33,26 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     return features;
 }
 
-uint64_t PackedScene::device_bytes() const {
+uint64_t total_bytes(const std::vector<BufferSize>& buffers) {
+    uint64_t bytes = 0;
+    for (const BufferSize& buffer : buffers) bytes += buffer.bytes;
+    return bytes;
+}
+
+std::vector<BufferSize> PackedScene::device_buffers() const {
     const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
-    return bytes(bvh.nodes) + bytes(bvh.blocks) + bytes(bvh.spheres) + bytes(bvh.instances) +
-           bytes(surfaces) + bytes(materials) + bytes(lights) + bytes(textures.records) +
-           bytes(textures.texels) + bytes(srgb) + bytes(environment_map.pixels) +
-           bytes(environment_map.alias);
+    return {{"BVH nodes", bytes(bvh.nodes)},
+            {"BVH triangles", bytes(bvh.blocks)},
+            {"BVH spheres", bytes(bvh.spheres)},
+            {"BVH instances", bytes(bvh.instances)},
+            {"surfaces", bytes(surfaces)},
+            {"materials", bytes(materials)},
+            {"lights", bytes(lights)},
+            {"texture records", bytes(textures.records)},
+            {"texels", bytes(textures.texels)},
+            {"sRGB table", bytes(srgb)},
+            {"environment pixels", bytes(environment_map.pixels)},
+            {"environment sampling", bytes(environment_map.alias)}};
 }
 
 PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {

@@ -22,6 +22,14 @@ struct SceneFeatures {
     std::vector<std::string> defines() const;
 };
 
+/// One device buffer: what it holds, for people, and its size.
+struct BufferSize {
+    std::string name;
+    uint64_t bytes = 0;
+};
+
+uint64_t total_bytes(const std::vector<BufferSize>& buffers);
+
 struct PackedScene {
     Bvh bvh;
     std::vector<SurfaceRecord> surfaces;
@@ -34,8 +42,10 @@ struct PackedScene {
     PackedEnvironment environment_map;
     SceneFeatures features;
 
-    /// Bytes that the scene takes on the device.
-    uint64_t device_bytes() const;
+    /// The buffers that the scene takes on the device.
+    std::vector<BufferSize> device_buffers() const;
+    /// Their sum.
+    uint64_t device_bytes() const { return total_bytes(device_buffers()); }
 };
 
 /// The scene must satisfy check_scene().

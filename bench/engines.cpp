@@ -1,0 +1,195 @@
+// Whole frames of every engine, beside a native path tracer in the same process: the pictures are
+// compared first, then all contenders take turns, again and again.
+#include "engines_report.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "image/compare.h"
+#include "scene/load.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <thread>
+
+namespace onde::bench {
+namespace {
+
+struct Options {
+    std::vector<std::filesystem::path> scenes;
+    std::vector<std::string> variants;
+    std::pair<uint32_t, uint32_t> size{640, 480};
+    FrameOptions frame;
+    uint32_t repeats = 5, threads = 0;
+    std::filesystem::path environment, json;
+    std::string device;
+};
+
+/// Throws unless the pictures of two variants are the same, bit for bit.
+void check_same(const Result& a, const Image& picture_a, const Result& b, const Image& picture_b) {
+    if (picture_a.pixels == picture_b.pixels) return;
+    const WorstPixel worst = compare(picture_a, picture_b).worst;
+    throw std::runtime_error(fmt::format("the pictures of {} and {} differ, most at pixel {},{}: "
+                                         "{} and {}; speeds are not compared",
+                                         a.variant, b.variant, worst.x, worst.y, worst.a, worst.b));
+}
+
+/// Throws unless the means agree within 2 % and, for small frames, the noise (4 deviations).
+void check_near(const std::string& variant, const Image& picture, const NativeTracer& native) {
+    const Metrics metrics = compare(picture, native.picture());
+    const double noise = 4 * std::sqrt(2.0) * native.standard_error();
+    if (std::abs(metrics.mean_a - metrics.mean_b) <= 0.02 * metrics.mean_b + noise) return;
+    throw std::runtime_error(fmt::format("the mean of {} is {} and of the native tracer {}; speeds "
+                                         "are not compared",
+                                         variant, metrics.mean_a, metrics.mean_b));
+}
+
+/// Throws unless a frame traced as many rays as the first one.
+void check_same_work(const Result& result, const Frame& frame) {
+    if (frame.rays == result.first.rays) return;
+    throw std::runtime_error(fmt::format("{} traced {} rays in one frame and {} in another",
+                                         result.variant, result.first.rays, frame.rays));
+}
+
+/// One scene and all who render it.
+class Race {
+  public:
+    Race(const gpu::Device& device, const Scene& scene, const Options& options, uint32_t threads)
+        : device_scene_(device, pack_scene(scene)), native_(scene, options.frame, threads) {
+        const Camera& camera = scene.cameras.at(0);
+        for (const Variant& variant : choose_variants(device.facts(), options.variants)) {
+            engines_.push_back(std::make_unique<OndeEngine>(device, device_scene_, camera,
+                                                            options.frame, variant));
+            results_.push_back({variant.name,
+                                gpu::describe(variant.settings),
+                                engines_.back()->compile_seconds(),
+                                {}});
+        }
+        results_.push_back({NATIVE, fmt::format("Embree, {} threads", threads), 0, {}});
+    }
+
+    /// One frame of each, whose pictures are compared.
+    void warm_up() {
+        for (size_t i = 0; i < results_.size(); i++) results_[i].first = contender(i).render();
+        const Image picture = engines_[0]->picture();
+        for (size_t i = 1; i < engines_.size(); i++)
+            check_same(results_[0], picture, results_[i], engines_[i]->picture());
+        check_near(results_[0].variant, picture, native_);
+    }
+
+    void run(uint32_t repeats) {
+        for (uint32_t repeat = 0; repeat < repeats; repeat++)
+            for (size_t i = 0; i < results_.size(); i++) {
+                const Frame frame = contender(i).render();
+                check_same_work(results_[i], frame);
+                results_[i].seconds.push_back(frame.seconds);
+            }
+    }
+
+    SceneReport report(const std::string& scene) const {
+        const auto& statistics = device_scene_.packed().bvh.statistics;
+        return {scene, statistics.triangles, statistics.spheres, results_};
+    }
+
+  private:
+    Contender& contender(size_t i) {
+        if (i < engines_.size()) return *engines_[i];
+        return native_;
+    }
+
+    DeviceScene device_scene_;
+    std::vector<std::unique_ptr<OndeEngine>> engines_;
+    NativeTracer native_;
+    std::vector<Result> results_; ///< the native tracer's last
+};
+
+Scene load(const std::filesystem::path& path, const Options& options) {
+    Scene scene = load_scene(path);
+    if (!options.environment.empty())
+        scene.environment = load_environment(options.environment, glm::vec3(1.0f), 0.0f);
+    return scene;
+}
+
+std::vector<std::filesystem::path> default_scenes() {
+    const auto folder = std::filesystem::path(ONDE_SOURCE_DIR) / "scenes";
+    return {folder / "cornell.toml", folder / "spheres.toml",
+            folder / "chapter" / "five-objects.toml"};
+}
+
+uint32_t native_threads(const Options& options, const gpu::DeviceFacts& facts) {
+    if (options.threads > 0) return options.threads;
+    return facts.is_cpu ? facts.compute_units : std::max(1u, std::thread::hardware_concurrency());
+}
+
+void run(const Options& options) {
+    if (!options.json.empty()) check_writable(options.json);
+    const gpu::Device device = gpu::open_device(options.device);
+    const uint32_t threads = native_threads(options, device.facts());
+    const Circumstances circumstances =
+        describe_circumstances(device.facts(), options.frame, threads, options.repeats);
+    print_header(circumstances);
+    std::vector<SceneReport> reports;
+    for (const auto& path : options.scenes.empty() ? default_scenes() : options.scenes) {
+        Race race(device, load(path, options), options, threads);
+        race.warm_up();
+        race.run(options.repeats);
+        reports.push_back(race.report(path.filename().string()));
+        print_report(reports.back(), options.frame);
+    }
+    if (!options.json.empty()) write_json(circumstances, reports, options.json);
+}
+
+Options parse(CLI::App& app, int argc, char** argv) {
+    Options o;
+    const auto positive = CLI::Range(1u, 1u << 20);
+    app.add_option("scenes", o.scenes, "Scene files; without any, three of the project's own")
+        ->type_name("SCENE");
+    app.add_option("--size", o.size, "Pixels, for example 640x480")
+        ->delimiter('x')
+        ->type_name("WxH");
+    app.add_option("--spp", o.frame.samples, "Samples per pixel")->check(positive);
+    app.add_option("--depth", o.frame.depth, "The most surfaces of a path")->check(positive);
+    app.add_option("--repeats", o.repeats, "Timed frames of each variant")->check(positive);
+    app.add_option("--threads", o.threads, "Of the native tracer; as many as the device's units");
+    app.add_option("--environment", o.environment, "Light the scenes with this picture")
+        ->type_name("FILE");
+    app.add_option("--variants", o.variants, "Only these, with commas between")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("NAMES");
+    app.add_option("--device", o.device, "OpenCL device, as for onde");
+    app.add_option("--json", o.json, "Also write the figures to this file")->type_name("FILE");
+    app.parse(argc, argv);
+    std::tie(o.frame.width, o.frame.height) = o.size;
+    return o;
+}
+
+/// Drivers keep compiled kernels too, but the seconds of a first compilation are wanted.
+void forbid_driver_caches() {
+    setenv("POCL_KERNEL_CACHE", "0", 1);
+    setenv("CUDA_CACHE_DISABLE", "1", 1);
+}
+
+} // namespace
+} // namespace onde::bench
+
+int main(int argc, char** argv) {
+    onde::bench::forbid_driver_caches();
+    CLI::App app{"Whole frames of Onde's engines beside a native path tracer"};
+    try {
+        onde::bench::run(onde::bench::parse(app, argc, argv));
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error);
+    } catch (const onde::InputError& error) {
+        fmt::print(stderr, "engines: {}\n", error.what());
+        return 2;
+    } catch (const onde::DeviceError& error) {
+        fmt::print(stderr, "engines: {}\n", error.what());
+        return 3;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "engines: {}\n", error.what());
+        return 1;
+    }
+}

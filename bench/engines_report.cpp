@@ -1,0 +1,128 @@
+#include "engines_report.h"
+
+#include "core/error.h"
+#include "core/files.h"
+
+#include <fmt/chrono.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+
+namespace onde::bench {
+namespace {
+
+/// The commit of the source folder now, with "-dirty" where files differ from it. Asked for at run
+/// time: a commit alone neither configures nor builds again.
+std::string find_commit() {
+    constexpr const char* COMMAND = "GIT_OPTIONAL_LOCKS=0 git -C '" ONDE_SOURCE_DIR
+                                    "' describe --always --dirty --abbrev=12 --exclude='*' "
+                                    "2>/dev/null";
+    const std::unique_ptr<FILE, int (*)(FILE*)> git(popen(COMMAND, "r"), pclose);
+    std::array<char, 64> line{};
+    if (!git || !std::fgets(line.data(), line.size(), git.get())) return "unknown";
+    const std::string commit = line.data();
+    return commit.substr(0, commit.find('\n'));
+}
+
+/// Times that of the native tracer.
+double speed(const SceneReport& report, const Result& result) {
+    return report.results.back().median() / result.median();
+}
+
+nlohmann::json json_of(const Circumstances& c, const SceneReport& report, const Result& r) {
+    const double rays = double(r.first.rays);
+    nlohmann::json json = {{"device", c.device},
+                           {"commit", c.commit},
+                           {"date", c.date},
+                           {"width", c.frame.width},
+                           {"height", c.frame.height},
+                           {"samples", c.frame.samples},
+                           {"depth", c.frame.depth},
+                           {"native_threads", c.native_threads},
+                           {"repeats", c.repeats},
+                           {"scene", report.scene},
+                           {"triangles", report.triangles},
+                           {"spheres", report.spheres},
+                           {"variant", r.variant},
+                           {"settings", r.settings},
+                           {"median_seconds", r.median()},
+                           {"min_seconds", r.fastest()},
+                           {"max_seconds", r.slowest()},
+                           {"seconds", r.seconds},
+                           {"first_frame_seconds", r.first.seconds},
+                           {"mrays_per_second", rays / r.median() * 1e-6},
+                           {"mpaths_per_second", c.frame.paths() / r.median() * 1e-6},
+                           {"rays_per_path", rays / c.frame.paths()},
+                           {"ratio_to_native", speed(report, r)}};
+    if (r.variant != NATIVE) json["compile_seconds"] = r.compile_seconds;
+    return json;
+}
+
+} // namespace
+
+double Result::median() const {
+    std::vector<double> sorted = seconds;
+    std::ranges::sort(sorted);
+    return sorted[sorted.size() / 2];
+}
+double Result::fastest() const {
+    return *std::ranges::min_element(seconds);
+}
+double Result::slowest() const {
+    return *std::ranges::max_element(seconds);
+}
+
+Circumstances describe_circumstances(const gpu::DeviceFacts& facts, const FrameOptions& frame,
+                                     uint32_t native_threads, uint32_t repeats) {
+    const std::string device = fmt::format("{}, {} units, {} ({})", facts.name, facts.compute_units,
+                                           facts.platform, facts.driver_version);
+    const std::string date = fmt::format("{:%Y-%m-%dT%H:%MZ}", fmt::gmtime(std::time(nullptr)));
+    return {device, find_commit(), date, frame, native_threads, repeats};
+}
+
+void print_header(const Circumstances& c) {
+    fmt::print("{}\ncommit {}, {}; {}x{}, {} spp, depth {}, box filter, {} repeats; native: Embree "
+               "on {} threads\n",
+               c.device, c.commit, c.date, c.frame.width, c.frame.height, c.frame.samples,
+               c.frame.depth, c.repeats, c.native_threads);
+    fmt::print("ratio: the native tracer's time over the variant's; compile: kernels, nothing "
+               "cached; first: the warm-up frame\n");
+}
+
+void print_report(const SceneReport& report, const FrameOptions& frame) {
+    fmt::print("\n{}: {} triangles, {} spheres; all pictures of Onde are the same, bit for bit\n",
+               report.scene, report.triangles, report.spheres);
+    fmt::print("{:<17}{:>10}{:>20}{:>9}{:>10}{:>11}{:>7}{:>11}{:>10}\n", "variant", "median ms",
+               "min..max ms", "Mrays/s", "Mpaths/s", "rays/path", "ratio", "compile s", "first ms");
+    for (const Result& r : report.results) {
+        const double rays = double(r.first.rays);
+        const std::string spread =
+            fmt::format("{:.1f}..{:.1f}", 1e3 * r.fastest(), 1e3 * r.slowest());
+        const std::string compile =
+            r.variant == NATIVE ? "-" : fmt::format("{:.2f}", r.compile_seconds);
+        fmt::print("{:<17}{:>10.1f}{:>20}{:>9.2f}{:>10.3f}{:>11.3f}{:>7.2f}{:>11}{:>10.1f}\n",
+                   r.variant, 1e3 * r.median(), spread, rays / r.median() * 1e-6,
+                   frame.paths() / r.median() * 1e-6, rays / frame.paths(), speed(report, r),
+                   compile, 1e3 * r.first.seconds);
+    }
+    std::fflush(stdout);
+}
+
+void write_json(const Circumstances& circumstances, const std::vector<SceneReport>& reports,
+                const std::filesystem::path& path) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const SceneReport& report : reports)
+        for (const Result& result : report.results)
+            list.push_back(json_of(circumstances, report, result));
+    replace_file(path, [&](const std::filesystem::path& temporary) {
+        std::ofstream out(temporary);
+        out << list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+        if (!out.flush()) throw InputError("{}: cannot be written", path.string());
+    });
+}
+
+} // namespace onde::bench

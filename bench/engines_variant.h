@@ -1,0 +1,27 @@
+// The ways of driving paths through a device that the bench compares, by name.
+#pragma once
+
+#include "render/options.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace onde::bench {
+
+struct Variant {
+    std::string name;
+    Engine engine = Engine::wavefront;
+    gpu::DeviceSettings settings;
+};
+
+/// Every variant: "fused-16-packets", "fused-16", ..., the default first. All but the GPU-shaped
+/// one use the CPU's waves and chunks, whatever the device.
+std::vector<Variant> all_variants(const gpu::DeviceFacts& facts);
+
+/// Those with the given names, in the order of all_variants(); all of them when none is named.
+/// Throws InputError with the list of names when there is no such variant.
+std::vector<Variant> choose_variants(const gpu::DeviceFacts& facts,
+                                     std::span<const std::string> names);
+
+} // namespace onde::bench

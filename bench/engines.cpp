@@ -134,7 +134,8 @@ void run(const Options& options) {
         Race race(device, load(path, options), options, threads);
         race.warm_up();
         race.run(options.repeats);
-        reports.push_back(race.report(path.filename().string()));
+        const std::filesystem::path name = path.parent_path().filename() / path.stem();
+        reports.push_back(race.report(name.string()));
         print_report(reports.back(), options.frame);
     }
     if (!options.json.empty()) write_json(circumstances, reports, options.json);

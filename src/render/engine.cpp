@@ -2,6 +2,7 @@
 
 #include "render/frame.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace onde {
@@ -45,7 +46,7 @@ std::vector<uint64_t> KernelArguments::counters() const {
 }
 
 gpu::Program build_engine(const EngineContext& context, const std::string& file,
-                          std::vector<std::string> kernels) {
+                          const std::vector<std::string>& kernels) {
     const gpu::DeviceSettings& settings = context.options.settings;
     gpu::ProgramRequest request;
     request.file = file;
@@ -55,8 +56,12 @@ gpu::Program build_engine(const EngineContext& context, const std::string& file,
         fmt::format("ONDE_GLOBAL_QUEUE={:d}", settings.queue == gpu::QueueKind::global));
     request.defines.push_back(
         fmt::format("ONDE_PRIMARY_PACKETS={:d}", settings.primary_packets && settings.width == 16));
-    kernels.push_back("tally");
-    for (std::string& name : kernels) request.kernels.push_back({name, settings.local_size});
+    const RenderOptions& options = context.options;
+    const uint64_t frame = uint64_t(options.width) * options.height * options.samples_in_flight;
+    const size_t items = std::min<uint64_t>(settings.wave_size, frame) / settings.chunk;
+    for (const std::string& name : kernels)
+        request.kernels.push_back({name, settings.local_size, items});
+    request.kernels.push_back({"tally", settings.local_size, COUNTER_SIZE});
     return gpu::build_program(context.device, context.sources, request, context.cache);
 }
 

@@ -90,6 +90,6 @@ std::unique_ptr<EngineDriver> make_engine(const EngineContext& context);
 
 /// The program `file` with the scene's, the settings' and the device's definitions, and `tally`.
 gpu::Program build_engine(const EngineContext& context, const std::string& file,
-                          std::vector<std::string> kernels);
+                          const std::vector<std::string>& kernels);
 
 } // namespace onde

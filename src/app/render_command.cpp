@@ -77,6 +77,18 @@ void warn_of_invalid(const Film::Invalid& invalid) {
                  invalid.count, invalid.sample, invalid.x, invalid.y);
 }
 
+RenderOutcome render_until_done(Integrator& integrator, const RenderReport& report, bool quiet) {
+    const StopOnInterrupt interrupt;
+    spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", report.options.width,
+                 report.options.height, report.device.name,
+                 report.kernels.from_cache ? "loaded" : "compiled", report.kernels.seconds);
+    ProgressLine line(quiet);
+    const RenderOutcome outcome = render(integrator, report.options, stop_requested,
+                                         [&](const Progress& progress) { line.show(progress); });
+    line.finish();
+    return outcome;
+}
+
 /// Renders one request; returns whether it was interrupted.
 bool run(const RenderRequest& request) {
     set_up_logging(request.quiet);
@@ -116,20 +128,14 @@ bool run(const RenderRequest& request) {
     report.kernels = integrator->build_report();
     report.state_bytes = integrator->state_bytes();
     report.film_bytes = total_bytes(plan.film);
-    spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", report.options.width,
-                 report.options.height, report.device.name,
-                 report.kernels.from_cache ? "loaded" : "compiled", report.kernels.seconds);
-
-    ProgressLine line(request.quiet);
-    {
-        const StopOnInterrupt interrupt;
-        report.outcome = render(*integrator, report.options, stop_requested,
-                                [&](const Progress& progress) { line.show(progress); });
-    }
-    line.finish();
+    report.outcome = render_until_done(*integrator, report, request.quiet);
     report.rays = integrator->ray_counts();
     report.invalid = integrator->film().find_invalid(device);
     warn_of_invalid(report.invalid);
+    if (report.outcome.samples == 0) {
+        spdlog::warn("interrupted before the first sample; no picture was written");
+        return true;
+    }
     if (report.outcome.interrupted)
         spdlog::warn("interrupted after {:.3g} samples per pixel; saving the picture so far",
                      report.outcome.samples);

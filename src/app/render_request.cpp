@@ -114,6 +114,7 @@ void declare_machine(CLI::App& command, RenderRequest& r) {
     command.add_flag("--quiet", r.quiet, "Print warnings and errors only");
 }
 
+/// Waves are rounded up to whole chunks.
 void resolve_settings(const RenderRequest& request, gpu::DeviceSettings& settings) {
     settings.width = request.width.value_or(settings.width);
     settings.queue = request.queue.value_or(settings.queue);
@@ -122,9 +123,9 @@ void resolve_settings(const RenderRequest& request, gpu::DeviceSettings& setting
     settings.primary_packets = request.packets.value_or(settings.primary_packets);
     settings.chunk = request.chunk.value_or(std::max(settings.chunk, settings.width));
     settings.wave_size = request.wave_size.value_or(settings.wave_size);
-    if (settings.chunk > 0) // a wave is whole chunks
-        settings.wave_size =
-            (settings.wave_size + settings.chunk - 1) / settings.chunk * settings.chunk;
+    if (settings.chunk == 0) return;
+    const uint64_t chunks = (uint64_t(settings.wave_size) + settings.chunk - 1) / settings.chunk;
+    settings.wave_size = uint32_t(std::min<uint64_t>(chunks * settings.chunk, UINT32_MAX));
 }
 
 } // namespace

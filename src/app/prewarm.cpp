@@ -1,0 +1,93 @@
+#include "app/prewarm.h"
+
+#include "app/render_request.h"
+#include "core/error.h"
+#include "render/integrator.h"
+#include "scene/load.h"
+#include "scene/shapes.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace onde::app {
+namespace {
+
+struct Kind {
+    const char* name;
+    SceneFeatures features;
+};
+
+/// What a program is compiled for is a scene's features; these are common sets of them.
+std::vector<Kind> common_kinds(uint32_t stack_size) {
+    SceneFeatures shapes, textured, everything;
+    shapes.spheres = shapes.dielectrics = true;
+    textured.textures = textured.normal_maps = textured.environment = true;
+    everything = {true, true, true, true, true, true};
+    shapes.stack_size = textured.stack_size = everything.stack_size = stack_size;
+    return {{"shapes in a closed room", shapes},
+            {"textured glTF under a sky", textured},
+            {"everything", everything}};
+}
+
+Scene one_rectangle() {
+    Scene scene;
+    scene.materials.emplace_back();
+    scene.meshes.push_back(rectangle_mesh({}, {1, 0, 0}, {0, 1, 0}, 0));
+    scene.instances.emplace_back();
+    complete_scene(scene);
+    return scene;
+}
+
+class Prewarmer {
+  public:
+    explicit Prewarmer(const std::string& device)
+        : device_(gpu::open_device(device)), sources_(gpu::KernelSources::embedded()) {
+        if (cache_.folder().empty())
+            throw InputError("there is no folder for compiled kernels; set ONDE_CACHE_DIR");
+    }
+
+    void compile(const std::string& name, const Scene& scene, PackedScene packed) const {
+        const RenderOptions options = small_options(scene);
+        const DeviceScene device_scene(device_, std::move(packed));
+        const auto integrator = make_path_integrator(device_, sources_, &cache_, device_scene,
+                                                     scene.cameras.front(), options);
+        const gpu::BuildReport& report = integrator->build_report();
+        fmt::print("{:<26} {} in {:.2f} s\n", name,
+                   report.from_cache ? "was there, loaded" : "compiled", report.seconds);
+        std::fflush(stdout); // the next may take long
+    }
+
+  private:
+    /// Size and wave change nothing in the program.
+    RenderOptions small_options(const Scene& scene) const {
+        RenderRequest request;
+        request.size = "1x1";
+        request.wave_size = 1;
+        return resolve_options(request, scene, device_.facts());
+    }
+
+    gpu::Device device_;
+    gpu::KernelSources sources_;
+    gpu::ProgramCache cache_;
+};
+
+} // namespace
+
+void prewarm(const std::vector<std::string>& scenes, const std::string& device) {
+    const Prewarmer prewarmer(device);
+    for (const std::string& path : scenes) {
+        const Scene scene = load_scene(path);
+        prewarmer.compile(path, scene, pack_scene(scene));
+    }
+    if (!scenes.empty()) return;
+    const Scene scene = one_rectangle();
+    const PackedScene packed = pack_scene(scene);
+    for (const Kind& kind : common_kinds(packed.features.stack_size)) {
+        PackedScene as_kind = packed;
+        as_kind.features = kind.features;
+        prewarmer.compile(kind.name, scene, std::move(as_kind));
+    }
+}
+
+} // namespace onde::app

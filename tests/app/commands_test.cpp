@@ -1,0 +1,179 @@
+// The subcommands around `onde render`.
+#include "image/image_io.h"
+#include "onde_process.h"
+
+#include <nlohmann/json.hpp>
+
+using namespace onde::test;
+
+namespace {
+
+/// What it prints on standard output, when it ends with code 0 and complains of nothing.
+std::string output_of(const Folder& folder, const Arguments& arguments,
+                      const Environment& environment = {}) {
+    const Outcome outcome = onde::test::onde(folder, arguments, environment);
+    INFO(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    return outcome.out;
+}
+
+onde::Image plain(float value) {
+    onde::Image image(4, 3, 3);
+    std::fill(image.pixels.begin(), image.pixels.end(), value);
+    return image;
+}
+
+} // namespace
+
+TEST_CASE("--version is the version and --help lists the subcommands") {
+    const Folder folder;
+    CHECK(output_of(folder, {"--version"}) == ONDE_VERSION "\n");
+    const std::string help = output_of(folder, {"--help"});
+    for (const char* command : {"render", "info", "compare", "devices", "cache"})
+        CHECK_THAT(help, Catch::Contains(std::string("\n  ") + command));
+}
+
+TEST_CASE("every subcommand has its own help") {
+    const Folder folder;
+    const std::pair<Arguments, std::string> commands[] = {
+        {{"render"}, "--wave-size"},   {{"info"}, "--json"},
+        {{"compare"}, "--diff"},       {{"devices"}, "--json"},
+        {{"cache"}, "prewarm"},        {{"cache", "list"}, "Usage"},
+        {{"cache", "clear"}, "Usage"}, {{"cache", "prewarm"}, "--device"}};
+    for (auto [command, mentioned] : commands) {
+        INFO(command.back());
+        command.push_back("--help");
+        CHECK_THAT(output_of(folder, command), Catch::Contains(mentioned));
+    }
+}
+
+TEST_CASE("devices marks the one that a render takes, and says the same as JSON") {
+    const Folder folder;
+    const std::string table = output_of(folder, {"devices"});
+    const auto json = nlohmann::json::parse(output_of(folder, {"devices", "--json"}));
+    size_t index = 0, defaults = 0;
+    for (const auto& platform : json.at("platforms"))
+        for (const auto& device : platform.at("devices")) {
+            CHECK(device.at("index") == index++);
+            CHECK(device.at("memory_bytes") > 0);
+            CHECK_THAT(table, Catch::Contains(device.at("name").get<std::string>()));
+            if (!device.at("default")) continue;
+            ++defaults;
+            CHECK_THAT(table, Catch::Contains("* " + std::to_string(index - 1) + "  "));
+        }
+    CHECK(defaults == 1);
+}
+
+TEST_CASE("a machine without a platform is told what to install, and as JSON an empty list") {
+    const Folder folder;
+    const Environment none{{"OCL_ICD_VENDORS", folder.path().string()}};
+    CHECK_THAT(output_of(folder, {"devices"}, none), Catch::Contains("pocl-opencl-icd"));
+    const auto json = nlohmann::json::parse(output_of(folder, {"devices", "--json"}, none));
+    CHECK(json.at("platforms").empty());
+}
+
+TEST_CASE("info counts what is in a scene and plans the device's memory") {
+    const Folder folder;
+    const std::string text = output_of(folder, {"info", CORNELL});
+    CHECK_THAT(text, Catch::Contains("triangles     36 unique, 36 instanced, 2 of them emissive"));
+    CHECK_THAT(text, Catch::Contains("film of 512 x 512 5.0 MiB"));
+    const auto json = nlohmann::json::parse(output_of(folder, {"info", CORNELL, "--json"}));
+    CHECK(json.at("unique_triangles") == 36);
+    CHECK(json.at("spheres") == 1);
+    CHECK(json.at("materials").at("dielectric") == 1);
+    CHECK(json.at("notes").empty());
+    const auto& memory = json.at("device_memory");
+    CHECK(memory.at("film").at("film sums") == 512 * 512 * 16);
+    uint64_t sum = 0;
+    for (const char* group : {"scene", "paths", "film"})
+        for (const auto& bytes : memory.at(group)) sum += bytes.get<uint64_t>();
+    CHECK(memory.at("bytes") == sum);
+}
+
+TEST_CASE("a render takes the memory that info planned") {
+    const Folder folder;
+    const auto plan = nlohmann::json::parse(output_of(folder, {"info", CORNELL, "--json"}));
+    const Outcome outcome =
+        onde::test::onde(folder, {"render", CORNELL, "--spp", "1", "--json", "a.json"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const auto report = nlohmann::json::parse(content(folder / "a.json"));
+    const uint64_t taken = report.at("scene_bytes").get<uint64_t>() +
+                           report.at("state_bytes").get<uint64_t>() +
+                           report.at("film_bytes").get<uint64_t>();
+    CHECK(plan.at("device_memory").at("bytes") == taken);
+}
+
+TEST_CASE("info parses as JSON whatever bytes a name is made of") {
+    const Folder folder;
+    folder.write("names.toml", "[camera]\nname = \"a \\\"quoted\\\" \\\\ \\u0001 \\u00e9\"\n"
+                               "position = [0, 0, 0]\nlook_at = [0, 0, -1]\n"
+                               "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, -5]\nradius = 1\n");
+    const Outcome outcome = onde::test::onde(folder, {"info", "names.toml", "--json"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    CHECK(json.at("cameras").at(0).at("name") == "a \"quoted\" \\ \x01 \xc3\xa9");
+}
+
+TEST_CASE("info works without any device") {
+    const Folder folder;
+    const Environment none{{"OCL_ICD_VENDORS", folder.path().string()}};
+    CHECK_THAT(output_of(folder, {"info", CORNELL}, none), Catch::Contains("no OpenCL device"));
+}
+
+TEST_CASE("cache prewarm compiles what a render then loads; list shows it and clear removes it") {
+    const Folder folder;
+    const Environment own{{"ONDE_CACHE_DIR", (folder / "cache").string()}};
+    CHECK_THAT(output_of(folder, {"cache", "list"}, own), Catch::StartsWith("0 programs, 0 bytes"));
+    const std::string prewarmed = output_of(folder, {"cache", "prewarm", CORNELL}, own);
+    CHECK_THAT(prewarmed, Catch::Contains("cornell.toml compiled in "));
+    CHECK_THAT(output_of(folder, {"cache", "list"}, own), Catch::Contains("1 programs, "));
+    const Outcome outcome =
+        onde::test::onde(folder, {"render", CORNELL, "--size", "16x12", "--spp", "1"}, own);
+    CHECK_THAT(outcome.err, Catch::Contains("kernels loaded in "));
+    CHECK_THAT(output_of(folder, {"cache", "prewarm", CORNELL}, own),
+               Catch::Contains("cornell.toml was there"));
+    CHECK_THAT(output_of(folder, {"cache", "clear"}, own),
+               Catch::StartsWith("1 programs removed from " + (folder / "cache").string()));
+    CHECK_THAT(output_of(folder, {"cache", "list"}, own), Catch::StartsWith("0 programs, 0 bytes"));
+}
+
+TEST_CASE("compare measures pictures, equal or not, and ends with code 0 for both") {
+    const Folder folder;
+    onde::write_exr(folder / "a.exr", plain(0.5f), {});
+    onde::write_exr(folder / "b.exr", plain(0.75f), {});
+    CHECK_THAT(output_of(folder, {"compare", "a.exr", "a.exr"}),
+               Catch::Contains("RMSE         0\n"));
+    CHECK_THAT(output_of(folder, {"compare", "a.exr", "b.exr"}),
+               Catch::Contains("RMSE         0.25\n"));
+    const auto equal =
+        nlohmann::json::parse(output_of(folder, {"compare", "a.exr", "a.exr", "--json"}));
+    CHECK(equal.at("rmse") == 0.0);
+    CHECK(equal.at("psnr").is_null()); // infinite
+    const std::string line = output_of(folder, {"compare", "a.exr", "b.exr", "--json"});
+    CHECK(line.find('\n') == line.size() - 1);
+    CHECK(nlohmann::json::parse(line).at("worst").at("b") == 0.75);
+}
+
+TEST_CASE("compare writes the difference, and refuses what it cannot compare or write") {
+    const Folder folder;
+    onde::write_exr(folder / "a.exr", plain(0.5f), {});
+    onde::write_exr(folder / "b.exr", plain(0.75f), {});
+    onde::write_exr(folder / "small.exr", onde::Image(2, 2, 3), {});
+    output_of(folder, {"compare", "a.exr", "b.exr", "--diff", "d.exr"});
+    CHECK(onde::read_image(folder / "d.exr").pixels == plain(0.25f).pixels);
+    const auto before = folder.files();
+    const Arguments wrong[] = {{"compare", "a.exr", "small.exr"},
+                               {"compare", "a.exr", "b.exr", "--diff", "d.jpg"},
+                               {"compare", "a.exr", "b.exr", "--diff", "no/such/d.png"}};
+    for (const Arguments& arguments : wrong) {
+        const Outcome outcome = onde::test::onde(folder, arguments);
+        INFO(outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK(outcome.out.empty());
+        CHECK(outcome.err.starts_with("onde: "));
+    }
+    CHECK(folder.files() == before);
+}

@@ -1,0 +1,190 @@
+// `onde render`: the picture, what goes with it, and how it ends.
+#include "image/image_io.h"
+#include "onde_process.h"
+
+#include <nlohmann/json.hpp>
+
+using namespace onde::test;
+
+namespace {
+
+void check_is_picture(const fs::path& path, uint32_t width = 16, uint32_t height = 12) {
+    INFO(path);
+    const onde::Image image = onde::read_image(path);
+    CHECK(image.width == width);
+    CHECK(image.height == height);
+    double sum = 0;
+    for (const float value : image.pixels) sum += value;
+    CHECK(sum > 0.0);
+}
+
+std::vector<float> pixels_of(const Folder& folder, const std::string& name,
+                             const Arguments& options) {
+    Arguments all{"-o", name, "--float"};
+    all.insert(all.end(), options.begin(), options.end());
+    const Outcome outcome = onde::test::onde(folder, render(CORNELL, all));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return onde::read_image(folder / name).pixels;
+}
+
+} // namespace
+
+TEST_CASE("a render writes every picture it was asked for and nothing else") {
+    const Folder folder;
+    const Outcome outcome =
+        onde::test::onde(folder, render(CORNELL, {"-o", "a.png", "-o", "b.exr"}));
+    INFO(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(outcome.out.empty());
+    CHECK_THAT(outcome.err, Catch::Contains("wrote " + (folder / "a.png").string()));
+    CHECK(folder.files().size() == 2);
+    check_is_picture(folder / "a.png");
+    check_is_picture(folder / "b.exr");
+}
+
+TEST_CASE("without a name the picture is named after the scene, in the current folder") {
+    const Folder folder;
+    CHECK(onde::test::onde(folder, render(CORNELL)).code == 0);
+    CHECK(folder.files().size() == 1);
+    check_is_picture(folder / "cornell.png");
+}
+
+TEST_CASE("a picture says how it was made") {
+    const Folder folder;
+    const Outcome outcome = onde::test::onde(
+        folder, render(CORNELL, {"--seed", "7", "--spp", "3", "-o", "a.png", "-o", "b.exr"}));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const Outcome info = onde::test::onde(folder, {"info", CORNELL, "--json"});
+    const std::string hash = nlohmann::json::parse(info.out).at("hash");
+    for (const char* name : {"a.png", "b.exr"}) {
+        INFO(name);
+        const onde::ImageMetadata metadata = onde::read_image_metadata(folder / name);
+        CHECK(metadata.at("onde:seed") == "7");
+        CHECK(metadata.at("onde:samples") == "3");
+        CHECK(metadata.at("onde:version") == ONDE_VERSION);
+        CHECK(metadata.at("onde:scene_hash") == hash);
+        CHECK_FALSE(metadata.at("onde:device").empty());
+    }
+}
+
+TEST_CASE("--json writes the numbers of a render for scripts") {
+    const Folder folder;
+    const Outcome outcome =
+        onde::test::onde(folder, render(CORNELL, {"-o", "a.png", "--json", "a.json"}));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.out.empty());
+    const auto report = nlohmann::json::parse(content(folder / "a.json"));
+    for (const char* key :
+         {"scene", "scene_hash", "version", "device", "platform", "driver", "engine", "settings"})
+        CHECK(report.at(key).is_string());
+    for (const char* key :
+         {"depth", "seed", "spheres", "instances", "load_seconds", "bvh_seconds", "pack_seconds",
+          "kernel_build_seconds", "render_seconds", "write_seconds", "total_seconds", "scene_bytes",
+          "state_bytes", "film_bytes", "mrays_per_second", "invalid_samples"})
+        CHECK(report.at(key).is_number());
+    CHECK(report.at("width") == 16);
+    CHECK(report.at("height") == 12);
+    CHECK(report.at("samples") == 1.0);
+    CHECK(report.at("triangles") == 36);
+    CHECK(report.at("interrupted") == false);
+    CHECK(report.at("kernels_from_cache").is_boolean());
+    CHECK(report.at("closest_hit_rays").at(0) == 16 * 12);
+    CHECK(report.at("shadow_rays").is_array());
+    CHECK(report.at("kernels").at("fused").at("launches") == 1);
+}
+
+TEST_CASE("--quiet prints nothing") {
+    const Folder folder;
+    const Outcome outcome = onde::test::onde(folder, render(CORNELL, {"--quiet"}));
+    CHECK(outcome.code == 0);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.empty());
+}
+
+TEST_CASE("the first render compiles, the second takes the kernels from the cache") {
+    const Folder folder;
+    const Environment own_cache{{"ONDE_CACHE_DIR", (folder / "cache").string()}};
+    const auto render_once = [&](const Arguments& options) {
+        return onde::test::onde(folder, render(CORNELL, options), own_cache);
+    };
+    const Outcome first = render_once({"--stats"});
+    INFO(first.out << first.err);
+    CHECK(first.code == 0);
+    CHECK_THAT(first.err, Catch::Contains("kernels compiled in "));
+    CHECK_THAT(first.out, Catch::Contains("kernels   compiled in "));
+    const Outcome second = render_once({"--stats"});
+    CHECK_THAT(second.err, Catch::Contains("kernels loaded in "));
+    CHECK_THAT(second.out, Catch::Contains("kernels   loaded from the cache in "));
+
+    for (const auto& entry : fs::directory_iterator(folder / "cache"))
+        std::ofstream(entry.path(), std::ios::binary | std::ios::app) << "damage";
+    const Outcome damaged = render_once({});
+    CHECK(damaged.code == 0);
+    CHECK_THAT(damaged.err, Catch::Contains("kernels compiled in "));
+}
+
+TEST_CASE("the same seed gives the same pixels and another seed others") {
+    const Folder folder;
+    const auto seven = pixels_of(folder, "a.exr", {"--seed", "7"});
+    CHECK(pixels_of(folder, "b.exr", {"--seed", "7"}) == seven);
+    CHECK(pixels_of(folder, "c.exr", {"--seed", "8"}) != seven);
+}
+
+TEST_CASE("a render in small waves has the pixels of a render in one") {
+    const Folder folder;
+    const Arguments samples{"--spp", "5"}, small{"--spp", "5", "--wave-size", "512"};
+    CHECK(pixels_of(folder, "a.exr", samples) == pixels_of(folder, "b.exr", small));
+}
+
+TEST_CASE("--time ends a render with as many samples in every pixel as there was time for") {
+    const Folder folder;
+    const Outcome outcome = onde::test::onde(
+        folder,
+        render(CORNELL, {"--time", "0.3", "--spp", "10000000", "--json", "a.json", "-o", "a.png"}));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    check_is_picture(folder / "a.png");
+    const auto report = nlohmann::json::parse(content(folder / "a.json"));
+    const double samples = report.at("samples");
+    CHECK(samples >= 1);
+    CHECK(samples < 10000000);
+    CHECK(samples == std::floor(samples));
+    CHECK(report.at("render_seconds") >= 0.3);
+    CHECK(report.at("interrupted") == false);
+}
+
+TEST_CASE("Ctrl-C saves the picture so far and ends with code 130") {
+    const Folder folder;
+    Process process(folder, render(CORNELL, {"--spp", "10000000", "-o", "a.png"}));
+    REQUIRE(process.wait_until_interrupt_is_caught(true));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300)); // for the first samples
+    process.send(SIGINT);
+    const Outcome outcome = process.wait();
+    INFO(outcome.err);
+    CHECK(outcome.code == 130);
+    CHECK_THAT(outcome.err, Catch::Contains("saving the picture so far"));
+    check_is_picture(folder / "a.png");
+    CHECK(folder.files().size() == 1);
+    const std::string samples = onde::read_image_metadata(folder / "a.png").at("onde:samples");
+    CHECK(std::stod(samples) > 0.0);
+    CHECK(std::stod(samples) < 10000000.0);
+}
+
+TEST_CASE("a second Ctrl-C ends the program at once and leaves the old picture alone") {
+    const Folder folder;
+    folder.write("a.png", "a picture that took days");
+    const auto before = folder.files();
+    // Waves of seconds, so that the render is still busy with one.
+    Process process(folder, render(CORNELL, {"--size", "1024x1024", "--spp", "1000000",
+                                             "--wave-size", "4194304", "-o", "a.png"}));
+    REQUIRE(process.wait_until_interrupt_is_caught(true));
+    process.send(SIGINT);
+    REQUIRE(process.wait_until_interrupt_is_caught(false));
+    process.send(SIGINT);
+    const Outcome outcome = process.wait();
+    CHECK(outcome.signal == SIGINT);
+    CHECK(folder.files() == before);
+}

@@ -42,6 +42,8 @@ int main(int argc, char** argv) try {
         if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
         return fail(WRONG_INPUT, onde::app::usage_sentence(app, error).c_str());
     }
+    if (std::fflush(stdout) != 0) // a full disk behind it, for example
+        return fail(WRONG_INPUT, "standard output could not be written");
     return interrupted ? INTERRUPTED : SUCCESS;
 } catch (const onde::InputError& error) {
     return fail(WRONG_INPUT, error.what());

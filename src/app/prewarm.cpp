@@ -48,7 +48,7 @@ class Prewarmer {
     }
 
     void compile(const std::string& name, const Scene& scene, PackedScene packed) const {
-        const RenderOptions options = small_options(scene);
+        const RenderOptions options = resolve_options({}, scene, device_.facts());
         const DeviceScene device_scene(device_, std::move(packed));
         const auto integrator = make_path_integrator(device_, sources_, &cache_, device_scene,
                                                      scene.cameras.front(), options);
@@ -59,14 +59,6 @@ class Prewarmer {
     }
 
   private:
-    /// Size and wave change nothing in the program.
-    RenderOptions small_options(const Scene& scene) const {
-        RenderRequest request;
-        request.size = "1x1";
-        request.wave_size = 1;
-        return resolve_options(request, scene, device_.facts());
-    }
-
     gpu::Device device_;
     gpu::KernelSources sources_;
     gpu::ProgramCache cache_;

@@ -44,7 +44,7 @@ std::string size_text(uint64_t bytes) {
     double value = double(bytes) / 1024;
     size_t unit = 0;
     for (; value >= 1024 && unit < 3; unit++) value /= 1024;
-    return fmt::format("{:.1f} {}", value, UNITS[unit]);
+    return fmt::format("{:.2f} {}", value, UNITS[unit]);
 }
 
 } // namespace onde

@@ -23,7 +23,7 @@ MemoryPlan plan_memory(const RenderOptions& options);
 /// device allows or all of them are larger than its memory.
 void check_memory(const MemoryPlan& plan, const gpu::DeviceFacts& facts);
 
-/// "12 B", "3.4 KiB", ... up to GiB.
+/// "12 B", "3.40 KiB", ... up to GiB.
 std::string size_text(uint64_t bytes);
 
 } // namespace onde

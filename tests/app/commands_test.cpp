@@ -77,7 +77,7 @@ TEST_CASE("info counts what is in a scene and plans the device's memory") {
     const Folder folder;
     const std::string text = output_of(folder, {"info", CORNELL});
     CHECK_THAT(text, Catch::Contains("triangles     36 unique, 36 instanced, 2 of them emissive"));
-    CHECK_THAT(text, Catch::Contains("film of 512 x 512 5.0 MiB"));
+    CHECK_THAT(text, Catch::Contains("film of 512 x 512 5.00 MiB"));
     const auto json = nlohmann::json::parse(output_of(folder, {"info", CORNELL, "--json"}));
     CHECK(json.at("unique_triangles") == 36);
     CHECK(json.at("spheres") == 1);
@@ -115,6 +115,15 @@ TEST_CASE("info parses as JSON whatever bytes a name is made of") {
     REQUIRE(outcome.code == 0);
     const auto json = nlohmann::json::parse(outcome.out);
     CHECK(json.at("cameras").at(0).at("name") == "a \"quoted\" \\ \x01 \xc3\xa9");
+}
+
+TEST_CASE("an output that nobody can read is an error and not a success") {
+    const Folder folder;
+    const std::string command =
+        ONDE_BINARY " info " + CORNELL + " > /dev/full 2> " + (folder / "err").string();
+    const int status = std::system(command.c_str());
+    CHECK(WEXITSTATUS(status) == 2);
+    CHECK(content(folder / "err") == "onde: standard output could not be written\n");
 }
 
 TEST_CASE("info works without any device") {

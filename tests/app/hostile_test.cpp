@@ -233,10 +233,15 @@ TEST_CASE("a render that the device's memory cannot hold is refused with both nu
     Folder folder;
     furnish(folder);
     const Environment one_gibibyte{{"POCL_MEMORY_LIMIT", "1"}};
-    check_refused(folder, onto_precious(CORNELL, {"--wave-size", "60000000"}),
-                  "the path states take 3.8 GiB in one buffer, but", NO_DEVICE, one_gibibyte);
-    check_refused(folder, onto_precious(CORNELL, {"--size", "16000x16000"}),
-                  "the film sums take 3.8 GiB in one buffer, but", NO_DEVICE, one_gibibyte);
+    const std::pair<Arguments, std::string> cases[] = {
+        {{"--wave-size", "60000000"}, "the path states take 3.80 GiB in one buffer, but"},
+        {{"--size", "16000x16000"}, "the film sums take 3.81 GiB in one buffer, but"},
+        {{"--size", "4096x4095", "--wave-size", "3900000", "--queue", "global"},
+         "the render takes 1.01 GiB (scene"}};
+    for (auto [options, culprit] : cases) {
+        options.insert(options.end(), {"--device", "Portable Computing Language"});
+        check_refused(folder, onto_precious(CORNELL, options), culprit, NO_DEVICE, one_gibibyte);
+    }
 }
 
 TEST_CASE("kernels that are not there or do not compile are named with file and line") {

@@ -149,6 +149,17 @@ TEST_CASE("cache prewarm compiles what a render then loads; list shows it and cl
     CHECK_THAT(output_of(folder, {"cache", "list"}, own), Catch::StartsWith("0 programs, 0 bytes"));
 }
 
+TEST_CASE("cache prewarm without a scene serves the scene of shapes that the README renders") {
+    const Folder folder;
+    const Environment own{{"ONDE_CACHE_DIR", (folder / "cache").string()}};
+    const std::string prewarmed = output_of(folder, {"cache", "prewarm"}, own);
+    CHECK_THAT(prewarmed, Catch::Contains("shapes in a closed room    compiled in "));
+    CHECK(std::count(prewarmed.begin(), prewarmed.end(), '\n') == 4);
+    const Outcome outcome =
+        onde::test::onde(folder, {"render", CORNELL, "--size", "16x12", "--spp", "1"}, own);
+    CHECK_THAT(outcome.err, Catch::Contains("kernels loaded in "));
+}
+
 TEST_CASE("compare measures pictures, equal or not, and ends with code 0 for both") {
     const Folder folder;
     onde::write_exr(folder / "a.exr", plain(0.5f), {});

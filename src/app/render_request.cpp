@@ -40,7 +40,7 @@ void add_choice(CLI::App& command, const std::string& name, Field& field,
         .add_option_function<std::string>(
             name, [&field, &words](const std::string& word) { field = words.at(word); }, help)
         ->check(CLI::IsMember(names))
-        ->type_name(fmt::format("{}", fmt::join(names, "|")));
+        ->type_name("WORD");
 }
 
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
@@ -67,13 +67,16 @@ uint32_t find_camera(const std::string& name, const Scene& scene) {
 void declare_picture(CLI::App& command, RenderRequest& r) {
     command
         .add_option("-o,--output", r.outputs,
-                    "Picture to write, .png or .exr; may be given several times")
+                    "Picture to write, .png or .exr; may be given several times\n"
+                    "(SCENE.png in the current folder)")
         ->type_name("FILE");
-    command.add_option("--size", r.size, "Pixels, for example 640x480")->type_name("WxH");
-    command.add_option("--spp", r.samples, "Samples per pixel")->type_name("N");
+    command.add_option("--size", r.size, "Pixels, for example 640x480 (the scene's, else 800x600)")
+        ->type_name("WxH");
+    command.add_option("--spp", r.samples, "Samples per pixel (the scene's, else 64)")
+        ->type_name("N");
     command.add_option("--time", r.seconds, "Stop after about that many seconds")
         ->type_name("SECONDS");
-    command.add_option("--camera", r.camera, "Camera of the scene, by name or number");
+    command.add_option("--camera", r.camera, "Camera of the scene, by name or number (the first)");
     command
         .add_option("--environment", r.environment,
                     "Light the scene with this equirectangular picture (.hdr, .exr)")
@@ -84,18 +87,22 @@ void declare_picture(CLI::App& command, RenderRequest& r) {
         ->type_name("DEGREES");
     command.add_option("--exposure", r.exposure, "Brighten the .png by that many stops")
         ->type_name("STOPS");
-    add_choice(command, "--tone-map", r.tone_map, TONE_MAPS, "How the .png rolls off highlights");
+    add_choice(command, "--tone-map", r.tone_map, TONE_MAPS,
+               "How the .png rolls off highlights (none)");
     command.add_flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
 }
 
 void declare_method(CLI::App& command, RenderRequest& r) {
-    command.add_option("--depth", r.depth, "The most surfaces a path visits")->type_name("N");
-    command.add_option("--seed", r.seed, "Of the random numbers; same seed, same picture")
+    command.add_option("--depth", r.depth, "The most surfaces a path visits (the scene's, else 8)")
         ->type_name("N");
-    add_choice(command, "--filter", r.filter, FILTERS, "Pixel filter");
-    add_choice(command, "--engine", r.engine, ENGINES, "How paths are driven through the device");
+    command.add_option("--seed", r.seed, "Of the random numbers; same seed, same picture (0)")
+        ->type_name("N");
+    add_choice(command, "--filter", r.filter, FILTERS, "Pixel filter (blackman-harris)");
+    add_choice(command, "--engine", r.engine, ENGINES,
+               "How paths are driven through the device (wavefront)");
     add_choice(command, "--launch", r.launch, LAUNCHES,
-               "Wavefront stages one by one, or all in one kernel");
+               "Wavefront stages one by one, or all in one kernel\n(this and the next: what suits "
+               "the device)");
     add_choice(command, "--queue", r.queue, QUEUES, "Where live rays are kept");
     add_choice(command, "--packets", r.packets, SWITCH, "Primary rays in packets of 16");
     command.add_option("--lanes", r.width, "Paths shaded at once by a work item: 1, 8 or 16")
@@ -105,7 +112,8 @@ void declare_method(CLI::App& command, RenderRequest& r) {
 }
 
 void declare_machine(CLI::App& command, RenderRequest& r) {
-    command.add_option("--device", r.device, "Device by number or part of its name");
+    command.add_option("--device", r.device,
+                       "Device by number or part of its name (see onde devices)");
     command.add_option("--kernels", r.kernels, "Read kernels from this folder (live editing)")
         ->type_name("DIR");
     command.add_flag("--no-cache", r.no_cache, "Compile kernels anew");

@@ -37,7 +37,7 @@ struct FlatGeometry {
 };
 
 /// Meshes placed several times are baked all the same while their copies stay below this.
-inline constexpr uint64_t BAKED_COPIES = 1u << 16;
+inline constexpr uint64_t BAKED_COPIES = 1u << 11;
 
 FlatGeometry flatten_geometry(const Scene& scene);
 

@@ -4,8 +4,8 @@
 
 #include "shared/types.h"
 
-#define BVH_WIDTH 16       // children of a node
-#define BVH_LEAF_WIDTH 8   // triangles of a leaf block
+#define BVH_WIDTH 16         // children of a node
+#define BVH_LEAF_WIDTH 8     // triangles of a leaf block
 #define BVH_NONE 0xffffffffu // no primitive, no instance
 
 // A child word: inner nodes are plain indices; leaves have the top bit and two bits of kind.

@@ -12,15 +12,21 @@ namespace onde {
 /// 4 KiB boundaries.
 void* allocate_aligned(size_t bytes);
 
-template <class T> struct HugePageAllocator {
+template <class T>
+struct HugePageAllocator {
     using value_type = T;
     HugePageAllocator() = default;
-    template <class U> HugePageAllocator(const HugePageAllocator<U>&) {}
+    template <class U>
+    HugePageAllocator(const HugePageAllocator<U>&) {}
     T* allocate(size_t count) { return static_cast<T*>(allocate_aligned(count * sizeof(T))); }
     void deallocate(T* pointer, size_t) { std::free(pointer); }
-    template <class U> bool operator==(const HugePageAllocator<U>&) const { return true; }
+    template <class U>
+    bool operator==(const HugePageAllocator<U>&) const {
+        return true;
+    }
 };
 
-template <class T> using AlignedVector = std::vector<T, HugePageAllocator<T>>;
+template <class T>
+using AlignedVector = std::vector<T, HugePageAllocator<T>>;
 
 } // namespace onde

@@ -15,8 +15,8 @@ class InputError : public std::runtime_error {
     explicit InputError(const std::string& sentence) : std::runtime_error(sentence) {}
 
     template <class... Args>
-    explicit InputError(fmt::format_string<Args...> format, Args&&... args)
-        requires(sizeof...(Args) > 0)
+    explicit InputError(fmt::format_string<Args...> format,
+                        Args&&... args) requires(sizeof...(Args) > 0)
         : std::runtime_error(fmt::format(format, std::forward<Args>(args)...)) {}
 };
 
@@ -26,8 +26,8 @@ class DeviceError : public std::runtime_error {
     explicit DeviceError(const std::string& sentence) : std::runtime_error(sentence) {}
 
     template <class... Args>
-    explicit DeviceError(fmt::format_string<Args...> format, Args&&... args)
-        requires(sizeof...(Args) > 0)
+    explicit DeviceError(fmt::format_string<Args...> format,
+                         Args&&... args) requires(sizeof...(Args) > 0)
         : std::runtime_error(fmt::format(format, std::forward<Args>(args)...)) {}
 };
 

@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 
-
 #include <atomic>
 #include <fstream>
 #include <unistd.h>
@@ -13,8 +12,7 @@ namespace fs = std::filesystem;
 std::string read_file(const fs::path& path, uint64_t limit) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status))
-        throw InputError("{}: no such file; check the path", path.string());
+    if (!fs::exists(status)) throw InputError("{}: no such file; check the path", path.string());
     if (!fs::is_regular_file(status))
         throw InputError("{}: not a regular file; give the path of a file", path.string());
     const uint64_t size = fs::file_size(path, error);

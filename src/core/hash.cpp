@@ -4,6 +4,8 @@
 
 namespace onde {
 
-std::string Hasher::hex() const { return fmt::format("{:016x}", digest()); }
+std::string Hasher::hex() const {
+    return fmt::format("{:016x}", digest());
+}
 
 } // namespace onde

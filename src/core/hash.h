@@ -26,11 +26,13 @@ class Hasher {
         return value(uint64_t(text.size())).bytes(text.data(), text.size());
     }
     /// T must have no padding.
-    template <class T> Hasher& value(const T& value) {
+    template <class T>
+    Hasher& value(const T& value) {
         static_assert(std::is_trivially_copyable_v<T>);
         return bytes(&value, sizeof(T));
     }
-    template <class T> Hasher& span(std::span<const T> values) {
+    template <class T>
+    Hasher& span(std::span<const T> values) {
         return value(uint64_t(values.size())).bytes(values.data(), values.size_bytes());
     }
     uint64_t digest() const { return XXH3_64bits_digest(&state_); }

@@ -8,9 +8,7 @@ namespace onde {
 /// Counts wall-clock seconds from its construction.
 class Timer {
   public:
-    double seconds() const {
-        return std::chrono::duration<double>(Clock::now() - start_).count();
-    }
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -8,7 +8,7 @@
 
 namespace onde {
 
-static constexpr size_t MAX_PLACED = size_t(1) << 26;
+static constexpr size_t MAX_PLACED = size_t(1) << 22;
 
 template <class T>
 static uint32_t move_to_end(std::vector<T>& whole, std::vector<T>& part) {

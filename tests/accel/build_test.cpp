@@ -32,7 +32,8 @@ void check_valid(const Soup& soup) {
 
 template <class T>
 bool same_bytes(const AlignedVector<T>& a, const AlignedVector<T>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+    if (a.size() != b.size()) return false;
+    return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
 }
 
 bool same_bits(const Bvh& a, const Bvh& b) {

@@ -130,7 +130,7 @@ INLINE ulong push_farther(ulong* stack, uint* size, BvhView bvh, __global const 
 #define BVH_FROM_SCALARS                                                                           \
     { nodes, blocks, spheres, instances, root }
 
-TRAVERSAL Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direction, float t_max) {
+OUTLINED Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direction, float t_max) {
     const BvhView bvh = BVH_FROM_SCALARS;
     Hit hit = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
     if (!is_finite_ray(origin, direction)) return hit;
@@ -203,8 +203,8 @@ TRAVERSAL Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direc
     }
 }
 
-TRAVERSAL uint walk_occluded(BVH_SCALARS, float3 origin, float t_min, float3 direction,
-                             float t_max) {
+OUTLINED uint walk_occluded(BVH_SCALARS, float3 origin, float t_min, float3 direction,
+                            float t_max) {
     const BvhView bvh = BVH_FROM_SCALARS;
     if (!is_finite_ray(origin, direction)) return 0;
     uint stack[ONDE_STACK_SIZE];

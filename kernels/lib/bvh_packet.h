@@ -9,7 +9,7 @@
 #if ONDE_INSTANCES
 
 // Rays that leave for an instance's space no longer share a frustum: one by one.
-TRAVERSAL void bvh_closest_packet(BvhView bvh, float rays[8][16], float hits[5][16]) {
+OUTLINED void bvh_closest_packet(BvhView bvh, float rays[8][16], float hits[5][16]) {
     for (uint i = 0; i < 16; i++) {
         const Hit hit = bvh_closest(bvh, (float3)(rays[0][i], rays[1][i], rays[2][i]), rays[3][i],
                                     (float3)(rays[4][i], rays[5][i], rays[6][i]), rays[7][i]);
@@ -290,7 +290,7 @@ INLINE PacketHits walk_octant(BvhView bvh, Packet rays, int16 lanes, uint octant
 
 // Closest hits of 16 rays of any directions. Rows of `rays`: origin x y z, t_min, direction x y z,
 // t_max; rows of `hits`: t, u, v, and the bits of primitive and instance.
-TRAVERSAL void bvh_closest_packet(BvhView bvh, float rays[8][16], float hits[5][16]) {
+OUTLINED void bvh_closest_packet(BvhView bvh, float rays[8][16], float hits[5][16]) {
     const Packet packet = load_packet(rays);
     PacketHits found = {vload16(0, rays[7]), 0.0f, 0.0f, (uint16)(BVH_NONE)};
     const uint16 octant_of = octants(packet);

@@ -25,7 +25,8 @@
 #endif
 
 #define INLINE static inline __attribute__((always_inline))
-// For functions so large that PoCL, which compiles every kernel twice, should not inline them.
+// For functions so large that PoCL, which compiles every kernel twice, should not inline them;
+// those with a stack also keep it out of the work-item context that way.
 #ifndef ONDE_CPU
     #define ONDE_CPU 0
 #endif
@@ -95,6 +96,27 @@ INLINE real clamp_real(real a, float low, float high) {
     return min_real(max_real(a, (real)(low)), (real)(high));
 }
 
+// One bit per lane of a comparison's result, lane 0 lowest.
+INLINE uint bits8(int8 m) {
+#if ONDE_AVX512
+    return (uint)(uchar)__builtin_ia32_cvtd2mask256(m);
+#elif ONDE_AVX2
+    return (uint)__builtin_ia32_movmskps256(as_float8(m));
+#else
+    const int8 bits = m & (int8)(1, 2, 4, 8, 16, 32, 64, 128);
+    const int4 four = bits.lo | bits.hi;
+    const int2 two = four.lo | four.hi;
+    return (uint)(two.x | two.y);
+#endif
+}
+INLINE uint bits16(int16 m) {
+#if ONDE_AVX512
+    return (uint)(ushort)__builtin_ia32_cvtd2mask512(m);
+#else
+    return bits8(m.lo) | bits8(m.hi) << 8;
+#endif
+}
+
 #if ONDE_WIDTH == 1
 
 INLINE uint mask_bits(mask m) {
@@ -127,28 +149,8 @@ INLINE void compress_real(__global float* p, real a, uint bits) {
     #define ONDE_VLOAD ONDE_JOIN(vload, ONDE_WIDTH)
     #define ONDE_VSTORE ONDE_JOIN(vstore, ONDE_WIDTH)
 
-// One bit per lane, lane 0 lowest.
 INLINE uint mask_bits(mask m) {
-    #if ONDE_WIDTH == 16 && ONDE_AVX512
-    return (uint)(ushort)__builtin_ia32_cvtd2mask512(m);
-    #elif ONDE_WIDTH == 16 && ONDE_AVX2
-    return (uint)__builtin_ia32_movmskps256(as_float8(m.lo)) |
-           (uint)__builtin_ia32_movmskps256(as_float8(m.hi)) << 8;
-    #elif ONDE_WIDTH == 8 && ONDE_AVX2
-    return (uint)__builtin_ia32_movmskps256(as_float8(m));
-    #elif ONDE_WIDTH == 16
-    const int16 bits =
-        m & (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
-    const int8 eight = bits.lo | bits.hi;
-    const int4 four = eight.lo | eight.hi;
-    const int2 two = four.lo | four.hi;
-    return (uint)(two.x | two.y);
-    #else
-    const int8 bits = m & (int8)(1, 2, 4, 8, 16, 32, 64, 128);
-    const int4 four = bits.lo | bits.hi;
-    const int2 two = four.lo | four.hi;
-    return (uint)(two.x | two.y);
-    #endif
+    return ONDE_JOIN(bits, ONDE_WIDTH)(m);
 }
 
 INLINE natural lane_index(void) {

@@ -54,7 +54,7 @@ void TomlScene::read_settings(const TableReader& root) {
     for (const TableReader& film : root.tables("film")) {
         film.allow({"size"});
         if (!film.has("size")) continue;
-        const auto size = *film.numbers("size", 2, {.low = 1, .high = 65536});
+        const auto size = *film.numbers("size", 2, {.low = 1, .high = 65535});
         if (size[0] != float(uint32_t(size[0])) || size[1] != float(uint32_t(size[1])))
             film.fail("size", "must be two whole numbers");
         settings.width = uint32_t(size[0]);

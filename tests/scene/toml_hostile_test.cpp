@@ -58,7 +58,7 @@ TEST_CASE("values out of range are refused with what is allowed") {
              {SPHERE + "radius = nan\n", {"shape[0].radius"}},
              {SPHERE + "center = [inf, 0, 0]\n", {"shape[0].center", "finite"}},
              {SPHERE + "center = [1e300, 0, 0]\n", {"shape[0].center", "finite"}},
-             {SPHERE + "[film]\nsize = [0, 100]\n", {"film.size", "between 1 and 65536"}},
+             {SPHERE + "[film]\nsize = [0, 100]\n", {"film.size", "between 1 and 65535"}},
              {SPHERE + "[film]\nsize = [1.5, 100]\n", {"film.size", "whole"}},
              {SPHERE + "[render]\nsamples = 0\n", {"render.samples", "between 1"}},
              {SPHERE + "[render]\nfilter = \"boxx\"\n", {"render.filter", "'box'"}},

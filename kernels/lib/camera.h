@@ -1,4 +1,5 @@
-// From a pixel and a sample to a ray: pinhole or thin lens, with an importance-sampled filter.
+// From a pixel and a sample to a ray: pinhole, thin lens or orthographic, with an
+// importance-sampled filter.
 #ifndef ONDE_LIB_CAMERA_H
 #define ONDE_LIB_CAMERA_H
 
@@ -28,6 +29,11 @@ INLINE CameraRay camera_ray(__global const FrameRecord* frame, natural pixel, Sa
     const real3 target = madd3(uniform3(frame->step_y), y,
                                madd3(uniform3(frame->step_x), x, uniform3(frame->corner)));
     CameraRay ray;
+    if (frame->orthographic) {
+        ray.origin = target;
+        ray.direction = uniform3(frame->forward);
+        return ray;
+    }
     ray.origin = uniform3(frame->origin);
     if (frame->aperture_radius > 0.0f) {
         const real2 lens = sample_disk(sampler_pair(sampler, DIMENSION_LENS));

@@ -85,9 +85,11 @@
     OFFSET(FrameRecord, corner)                                                                    \
     OFFSET(FrameRecord, focus_distance)                                                            \
     OFFSET(FrameRecord, step_x)                                                                    \
+    OFFSET(FrameRecord, orthographic)                                                              \
     OFFSET(FrameRecord, step_y)                                                                    \
     OFFSET(FrameRecord, lens_u)                                                                    \
     OFFSET(FrameRecord, lens_v)                                                                    \
+    OFFSET(FrameRecord, forward)                                                                   \
     OFFSET(FrameRecord, width)                                                                     \
     OFFSET(FrameRecord, height)                                                                    \
     OFFSET(FrameRecord, seed)                                                                      \

@@ -14,12 +14,14 @@ typedef struct {
     float corner[3];
     float focus_distance;
     float step_x[3];
-    float pad0;
+    uint orthographic; // 1: rays leave the screen itself, along `forward`
     float step_y[3];
     float pad1;
     float lens_u[3]; // unit right
-    float pad2;
+    float pad0;
     float lens_v[3]; // unit up
+    float pad2;
+    float forward[3]; // unit
     float pad3;
 
     uint width, height; // of the film

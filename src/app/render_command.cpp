@@ -122,9 +122,9 @@ bool run(const RenderRequest& request) {
     const gpu::ProgramCache cache;
     gpu::Profiler profiler;
     const bool profiled = request.stats || !request.json.empty();
-    const auto integrator = make_path_integrator(
-        device, sources, request.no_cache ? nullptr : &cache, device_scene,
-        scene.cameras[report.options.camera], report.options, profiled ? &profiler : nullptr);
+    const auto integrator = make_integrator(
+        {device, sources, request.no_cache ? nullptr : &cache, scene, device_scene,
+         scene.cameras[report.options.camera], report.options, profiled ? &profiler : nullptr});
     report.kernels = integrator->build_report();
     report.state_bytes = integrator->state_bytes();
     report.film_bytes = total_bytes(plan.film);
@@ -132,6 +132,7 @@ bool run(const RenderRequest& request) {
     report.rays = integrator->ray_counts();
     report.invalid = integrator->film().find_invalid(device);
     warn_of_invalid(report.invalid);
+    for (const std::string& finding : integrator->findings()) spdlog::info("{}", finding);
     if (report.outcome.samples == 0) {
         spdlog::warn("interrupted before the first sample; no picture was written");
         return true;

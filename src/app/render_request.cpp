@@ -18,6 +18,8 @@ constexpr float MOST_STOPS = 64.0f;
 
 const std::map<std::string, Engine> ENGINES{{"wavefront", Engine::wavefront},
                                             {"megakernel", Engine::megakernel}};
+// A line here makes an integrator reachable.
+const std::map<std::string, IntegratorKind> INTEGRATORS{{"path", IntegratorKind::path}};
 const std::map<std::string, gpu::Launch> LAUNCHES{{"staged", gpu::Launch::staged},
                                                   {"fused", gpu::Launch::fused}};
 const std::map<std::string, gpu::QueueKind> QUEUES{{"chunk-local", gpu::QueueKind::chunk_local},
@@ -93,6 +95,8 @@ void declare_picture(CLI::App& command, RenderRequest& r) {
 }
 
 void declare_method(CLI::App& command, RenderRequest& r) {
+    add_choice(command, "--integrator", r.integrator, INTEGRATORS,
+               "What is computed (the scene's, else path)");
     command.add_option("--depth", r.depth, "The most surfaces a path visits (the scene's, else 8)")
         ->type_name("N");
     command.add_option("--seed", r.seed, "Of the random numbers; same seed, same picture (0)")
@@ -175,6 +179,7 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
     options.seed = request.seed.value_or(own.seed.value_or(options.seed));
     options.filter = request.filter.value_or(own.filter.value_or(options.filter));
     options.camera = find_camera(request.camera, scene);
+    options.integrator = request.integrator.value_or(own.integrator.value_or(options.integrator));
     options.engine = request.engine.value_or(options.engine);
     options.settings = gpu::default_settings(facts);
     resolve_settings(request, options.settings);

@@ -19,6 +19,7 @@ struct RenderRequest {
     std::string size;
     std::optional<uint32_t> samples, depth, seed, wave_size, chunk, width;
     std::optional<double> seconds;
+    std::optional<IntegratorKind> integrator;
     std::optional<Engine> engine;
     std::optional<gpu::Launch> launch;
     std::optional<gpu::QueueKind> queue;

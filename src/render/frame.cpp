@@ -12,19 +12,44 @@ static void copy(float (&to)[3], glm::vec3 from) {
     for (uint32_t k = 0; k < 3; k++) to[k] = from[k];
 }
 
+/// What the film sees of the plane at `distance` before the eye: the size of a pixel and where its
+/// lower left corner lies, from the view axis.
+struct Window {
+    float step, distance;
+    glm::vec2 corner;
+};
+
+static Window view_window(const Camera& camera, glm::vec2 pixels) {
+    if (camera.screen) {
+        const ScreenWindow& screen = *camera.screen;
+        const float step = screen.size.x / pixels.x;
+        const glm::vec2 centred = -0.5f * screen.size;
+        return {step, screen.distance,
+                screen.first_pixel ? *screen.first_pixel - 0.5f * step : centred};
+    }
+    const float distance = camera.focus_distance;
+    const float height = camera.orthographic_height > 0
+                             ? camera.orthographic_height
+                             : 2 * distance * std::tan(camera.vertical_fov / 2);
+    const float step = height / pixels.y;
+    return {step, distance, -0.5f * step * pixels};
+}
+
 static void set_camera(FrameRecord& frame, const Camera& camera, uint32_t width, uint32_t height) {
     const glm::vec3 origin(camera.camera_to_world[3]);
     const glm::vec3 right(camera.camera_to_world[0]), up(camera.camera_to_world[1]);
     const glm::vec3 forward = -glm::vec3(camera.camera_to_world[2]);
-    const float distance = camera.focus_distance;
-    const float step = 2 * distance * std::tan(camera.vertical_fov / 2) / float(height);
+    const Window window = view_window(camera, glm::vec2(float(width), float(height)));
+    frame.orthographic = camera.orthographic_height > 0;
+    const float distance = frame.orthographic ? 0.0f : window.distance;
     copy(frame.origin, origin);
-    copy(frame.corner, origin + forward * distance - right * (0.5f * step * float(width)) +
-                           up * (0.5f * step * float(height)));
-    copy(frame.step_x, right * step);
-    copy(frame.step_y, up * -step);
+    copy(frame.corner, origin + forward * distance + right * window.corner.x +
+                           up * (window.corner.y + window.step * float(height)));
+    copy(frame.step_x, right * window.step);
+    copy(frame.step_y, up * -window.step);
     copy(frame.lens_u, right);
     copy(frame.lens_v, up);
+    copy(frame.forward, forward);
     frame.aperture_radius = camera.aperture_radius;
     frame.focus_distance = distance;
 }

@@ -29,7 +29,24 @@ class Integrator {
     virtual RayCounts ray_counts() const = 0;
     virtual const gpu::BuildReport& build_report() const = 0;
     virtual uint64_t state_bytes() const = 0;
+    /// What the integrator has to say about the render at its end, a sentence each.
+    virtual std::vector<std::string> findings() const { return {}; }
 };
+
+/// What an integrator is made from; the referenced objects outlive it.
+struct IntegratorContext {
+    const gpu::Device& device;
+    const gpu::KernelSources& sources;
+    const gpu::ProgramCache* cache; ///< null: kernels are compiled anew
+    const Scene& description;
+    const DeviceScene& scene; ///< of the same description
+    const Camera& camera;
+    const RenderOptions& options;
+    gpu::Profiler* profiler = nullptr; ///< null: launches are not timed
+};
+
+/// The integrator that the options name.
+std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context);
 
 /// The path tracer. The scene and device outlive it.
 std::unique_ptr<Integrator>

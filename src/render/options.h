@@ -23,6 +23,7 @@ struct RenderOptions {
     uint32_t seed = 0;
     Filter filter = Filter::blackman_harris;
     uint32_t camera = 0; ///< index into the scene's cameras
+    IntegratorKind integrator = IntegratorKind::path;
     Engine engine = Engine::wavefront;
     gpu::DeviceSettings settings;
     uint32_t samples_in_flight = 16; ///< the most of one pixel in one wave; a power of two

@@ -58,6 +58,14 @@ void check_material(const Scene& scene, size_t i) {
     check(finite(m.ior) && m.ior > 0.0f, "its ior must be above 0");
     check(not_negative(m.emission), "its emission must be finite and not negative");
     check(finite(m.normal_scale), "its normal scale must be finite");
+    const Phong& p = m.phong;
+    check(finite(p.ambient) && finite(p.diffuse) && finite(p.specular) && p.ambient >= 0.0f &&
+              p.diffuse >= 0.0f && p.specular >= 0.0f,
+          "its ambient, diffuse and specular must be finite and not negative");
+    check(finite(p.exponent) && p.exponent >= 0.0f, "its exponent must not be negative");
+    check(in_unit(p.reflection) && in_unit(p.transmission),
+          "its reflection and transmission must lie between 0 and 1");
+    check(finite(p.abbe) && p.abbe >= 0.0f, "its Abbe number must not be negative");
     for (int32_t texture :
          {m.base_color_texture, m.metallic_roughness_texture, m.emission_texture, m.normal_texture})
         check(texture >= NO_TEXTURE && texture < int64_t(scene.textures.size()),
@@ -109,13 +117,30 @@ void check_lights(const Scene& scene) {
         require(finite(light.position), "point light", i, "", "its position is not finite");
         require(not_negative(light.intensity), "point light", i, "",
                 "its intensity must be finite and not negative");
+        require(not_negative(light.strength), "point light", i, "",
+                "its strength must be finite and not negative");
     }
     for (size_t i = 0; i < scene.directional_lights.size(); ++i) {
         const DirectionalLight& light = scene.directional_lights[i];
         require(is_unit(light.to_light), "directional light", i, "", "its direction is not unit");
         require(not_negative(light.irradiance), "directional light", i, "",
                 "its irradiance must be finite and not negative");
+        require(not_negative(light.strength), "directional light", i, "",
+                "its strength must be finite and not negative");
     }
+}
+
+void check_area_light(const Scene& scene, size_t i) {
+    const AreaLight& light = scene.area_lights[i];
+    const auto check = [&](bool holds, const char* problem) {
+        require(holds, "area light", i, "", problem);
+    };
+    check(finite(light.position) && finite(light.edge1) && finite(light.edge2) &&
+              finite(light.radius),
+          "its position and size must be finite");
+    check(not_negative(light.strength), "its strength must be finite and not negative");
+    check(light.samples >= 1 && light.samples <= 64, "its samples must lie between 1 and 64");
+    check(light.material < scene.materials.size(), "it names a material that does not exist");
 }
 
 void check_environment(const Environment& environment) {
@@ -148,6 +173,14 @@ void check_camera(const Camera& camera, size_t i) {
           "its aperture must not be negative");
     check(finite(camera.focus_distance) && camera.focus_distance > 0.0f,
           "its focus distance must be above 0");
+    check(finite(camera.orthographic_height) && camera.orthographic_height >= 0.0f,
+          "its orthographic height must not be negative");
+    if (!camera.screen) return;
+    check(finite(camera.screen->size) && camera.screen->size.x > 0.0f &&
+              camera.screen->size.y > 0.0f && finite(camera.screen->distance) &&
+              camera.screen->distance > 0.0f &&
+              finite(camera.screen->first_pixel.value_or(glm::vec2(0.0f))),
+          "its screen must have a size and a distance above 0");
 }
 
 void check_settings(const RenderSettings& settings) {
@@ -183,6 +216,7 @@ void check_scene(const Scene& scene) {
                 "it names a material that does not exist");
     }
     check_lights(scene);
+    for (size_t i = 0; i < scene.area_lights.size(); ++i) check_area_light(scene, i);
     check_environment(scene.environment);
     for (size_t i = 0; i < scene.cameras.size(); ++i) check_camera(scene.cameras[i], i);
     check_settings(scene.settings);

@@ -1,6 +1,7 @@
 // What a scene file may leave out: a camera, and something that shines.
 #include "scene/load.h"
 #include "scene/merge.h"
+#include "scene/phong.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,6 +113,7 @@ static bool anything_emits(const Scene& scene) {
 }
 
 void complete_scene(Scene& scene) {
+    complete_lights(scene);
     if (scene.cameras.empty()) {
         scene.cameras.push_back(framing_camera(scene));
         scene.notes.push_back("The file has no camera: one was added that sees the whole scene.");

@@ -21,6 +21,22 @@ void add(Hasher& hasher, const Material& m) {
     hasher.value(m.emission).value(uint32_t(m.two_sided)).value(m.base_color_texture);
     hasher.value(m.metallic_roughness_texture).value(m.emission_texture).value(m.normal_texture);
     hasher.value(m.normal_scale);
+    hasher.value(m.phong);
+}
+
+void add(Hasher& hasher, const std::optional<glm::vec2>& v) {
+    hasher.value(uint32_t(v.has_value())).value(v.value_or(glm::vec2(0.0f)));
+}
+void add(Hasher& hasher, const std::optional<glm::vec3>& v) {
+    hasher.value(uint32_t(v.has_value())).value(v.value_or(glm::vec3(0.0f)));
+}
+
+void add(Hasher& hasher, const WhittedSettings& w) {
+    add(hasher, w.ambient);
+    add(hasher, w.background);
+    hasher.value(uint32_t(w.saturate)).value(uint32_t(w.source_reflectivity));
+    hasher.value(uint32_t(w.distance_falloff)).value(uint32_t(w.fresnel));
+    hasher.value(w.epsilon).value(w.wavelengths);
 }
 
 void add(Hasher& hasher, const Mesh& mesh) {
@@ -34,6 +50,10 @@ void add(Hasher& hasher, const Mesh& mesh) {
 void add(Hasher& hasher, const Camera& camera) {
     hasher.value(camera.camera_to_world).value(camera.vertical_fov);
     hasher.value(camera.aperture_radius).value(camera.focus_distance);
+    hasher.value(camera.orthographic_height);
+    if (!camera.screen) return;
+    hasher.value(camera.screen->size).value(camera.screen->distance);
+    add(hasher, camera.screen->first_pixel);
 }
 
 void add(Hasher& hasher, const Environment& environment) {
@@ -55,7 +75,8 @@ void add_each(Hasher& hasher, const std::vector<T>& values) {
 std::string scene_hash(const Scene& scene) {
     // Plain structs of 4-byte members are hashed whole; they have no padding.
     static_assert(sizeof(Instance) == 17 * 4 && sizeof(Sphere) == 5 * 4);
-    static_assert(sizeof(PointLight) == 6 * 4 && sizeof(DirectionalLight) == 6 * 4);
+    static_assert(sizeof(PointLight) == 9 * 4 && sizeof(DirectionalLight) == 9 * 4);
+    static_assert(sizeof(AreaLight) == 17 * 4 && sizeof(Phong) == 7 * 4);
     Hasher hasher;
     add_each(hasher, scene.textures);
     add_each(hasher, scene.materials);
@@ -64,6 +85,8 @@ std::string scene_hash(const Scene& scene) {
     add(hasher, scene.spheres);
     add(hasher, scene.point_lights);
     add(hasher, scene.directional_lights);
+    add(hasher, scene.area_lights);
+    add(hasher, scene.whitted);
     add(hasher, scene.environment);
     add_each(hasher, scene.cameras);
     return hasher.hex();

@@ -18,7 +18,8 @@ Scene load_scene(const std::filesystem::path& path);
 void check_scene(const Scene& scene);
 
 /// Adds a camera that sees the whole scene if there is none, and a studio environment if nothing
-/// emits but, at most, small details in emission textures. Indices must be in range.
+/// emits but, at most, small details in emission textures; completes the measures of lights.
+/// Indices must be in range.
 void complete_scene(Scene& scene);
 
 /// World-space bounding box of all geometry; {0,0} for an empty scene.

@@ -67,7 +67,18 @@ static Camera placed(Camera camera, const glm::mat4& transform) {
     camera.camera_to_world = rigid_part(transform * camera.camera_to_world);
     camera.aperture_radius *= scale;
     camera.focus_distance *= scale;
+    camera.orthographic_height *= scale;
     return camera;
+}
+
+static AreaLight placed(AreaLight light, const glm::mat4& transform, uint32_t first_material) {
+    const glm::mat3 linear(transform);
+    light.position = transform_point(transform, light.position);
+    light.edge1 = linear * light.edge1;
+    light.edge2 = linear * light.edge2;
+    light.radius *= glm::length(glm::vec3(transform[0]));
+    light.material += first_material;
+    return light;
 }
 
 bool emits(const Environment& environment) {
@@ -88,6 +99,7 @@ static void take_missing(RenderSettings& whole, const RenderSettings& part) {
     take_missing(whole.seed, part.seed);
     take_missing(whole.filter, part.filter);
     take_missing(whole.exposure, part.exposure);
+    take_missing(whole.integrator, part.integrator);
 }
 
 void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
@@ -104,10 +116,13 @@ void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
         whole.spheres.push_back({transform_point(transform, sphere.center), sphere.radius * scale,
                                  sphere.material + offsets.materials});
     for (const PointLight& light : part.point_lights)
-        whole.point_lights.push_back({transform_point(transform, light.position), light.intensity});
+        whole.point_lights.push_back(
+            {transform_point(transform, light.position), light.intensity, light.strength});
     for (const DirectionalLight& light : part.directional_lights)
-        whole.directional_lights.push_back(
-            {glm::normalize(glm::mat3(transform) * light.to_light), light.irradiance});
+        whole.directional_lights.push_back({glm::normalize(glm::mat3(transform) * light.to_light),
+                                            light.irradiance, light.strength});
+    for (const AreaLight& light : part.area_lights)
+        whole.area_lights.push_back(placed(light, transform, offsets.materials));
     for (const Camera& camera : part.cameras) whole.cameras.push_back(placed(camera, transform));
     if (!emits(whole.environment)) whole.environment = part.environment;
     take_missing(whole.settings, part.settings);

@@ -34,6 +34,17 @@ enum class MaterialKind : uint32_t {
     conductor,  ///< GGX with Schlick Fresnel: base_color is the reflectance at normal incidence
     dielectric, ///< GGX glass: exact Fresnel from ior, base_color tints what goes through
     metallic_roughness, ///< the glTF 2.0 mix (appendix B of its specification)
+    phong,              ///< the chapter's (C6 to C9); path tracing maps it, see path_material()
+};
+
+/// What the Whitted integrator does at a surface; base_color is the chapter's Co, Material::ior its
+/// n2 / n1. docs/whitted.md says how each number is used, and what other kinds are mapped to.
+struct Phong {
+    float ambient = 1.0f, diffuse = 1.0f, specular = 0.0f; ///< weights of the three parts, >= 0
+    float exponent = 20.0f;                                ///< of the specular part, >= 0
+    float reflection = 0.0f;   ///< factor of light that comes along the mirror direction, in [0, 1]
+    float transmission = 0.0f; ///< factor of light that comes through, in [0, 1]
+    float abbe = 0.0f;         ///< Abbe number V_d of the index, > 0; 0: no dispersion
 };
 
 /// Surface appearance. Textures multiply the factor beside them, as in glTF:
@@ -53,6 +64,7 @@ struct Material {
     int32_t emission_texture = NO_TEXTURE;
     int32_t normal_texture = NO_TEXTURE; ///< tangent-space normals, +Y up as in glTF
     float normal_scale = 1.0f;
+    Phong phong;
 };
 
 /// Triangles in object space. Counter-clockwise seen from the front face.
@@ -78,14 +90,47 @@ struct Sphere {
     uint32_t material = 0;
 };
 
+enum class ShapeKind : uint32_t { sphere, disk, cylinder, cone, torus };
+
+/// An analytic shape: a canonical one in object space, placed by an affine, invertible transform.
+/// sphere: radius 1 about the origin. disk: radius 1 in the XZ plane, front toward +Y.
+/// cylinder: radius 1 about the Y axis, y in [-1, 1]. cone: base of radius 1 at y = 0, tip at
+/// y = 1. torus: about the Y axis, major radius 1. Cylinder and cone are closed solids. Front faces
+/// look outward.
+struct Shape {
+    ShapeKind kind = ShapeKind::sphere;
+    uint32_t material = 0;
+    float minor_radius = 0.25f; ///< torus only, in (0, 1)
+    glm::mat4 object_to_world{1.0f};
+};
+
+/// Lights have two measures: a radiometric one for integrators that follow light, and `strength`,
+/// the chapter's is * Cs, for Whitted. Loaders set at least one; complete_scene() the other.
 struct PointLight {
     glm::vec3 position{0.0f};
     glm::vec3 intensity{1.0f}; ///< W/sr
+    glm::vec3 strength{0.0f};
 };
 
 struct DirectionalLight {
     glm::vec3 to_light{0.0f, 1.0f, 0.0f}; ///< unit, pointing from the scene toward the light
     glm::vec3 irradiance{1.0f};           ///< on a surface facing the light
+    glm::vec3 strength{0.0f};
+};
+
+enum class AreaLightKind : uint32_t { rectangle, disk, sphere };
+
+/// An extended source as the Whitted integrator sees it. The geometry that emits `radiance` is
+/// among the scene's meshes, spheres and shapes as well.
+struct AreaLight {
+    AreaLightKind kind = AreaLightKind::rectangle;
+    glm::vec3 position{0.0f};           ///< rectangle: a corner; disk, sphere: the centre
+    glm::vec3 edge1{0.0f}, edge2{0.0f}; ///< rectangle: its edges; disk: two radii
+    float radius = 0.0f;                ///< sphere
+    uint32_t two_sided = 0;             ///< else light leaves only toward cross(edge1, edge2)
+    uint32_t samples = 4;               ///< a grid of samples x samples shadow rays, in [1, 64]
+    uint32_t material = 0;              ///< of the geometry
+    glm::vec3 strength{0.0f};
 };
 
 /// Light from infinity: `radiance` times the equirectangular `map` if there is one.
@@ -97,13 +142,38 @@ struct Environment {
     float rotation = 0.0f;
 };
 
+/// The chapter's screen (C3): a window of real size at a distance before the eye.
+struct ScreenWindow {
+    glm::vec2 size{1.0f};                 ///< a, b, world units
+    float distance = 1.0f;                ///< f
+    std::optional<glm::vec2> first_pixel; ///< centre of the lower left pixel, from the view axis;
+                                          ///< else the window is centred on the axis
+};
+
 struct Camera {
     std::string name;
-    glm::mat4 camera_to_world{1.0f}; ///< rotation and translation
-    float vertical_fov = 0.7f;       ///< radians, in (0, pi)
-    float aperture_radius = 0.0f;    ///< thin lens, world units; 0 is a pinhole
-    float focus_distance = 1.0f;     ///< along the view axis, world units
+    glm::mat4 camera_to_world{1.0f};    ///< rotation and translation
+    float vertical_fov = 0.7f;          ///< radians, in (0, pi)
+    float aperture_radius = 0.0f;       ///< thin lens, world units; 0 is a pinhole
+    float focus_distance = 1.0f;        ///< along the view axis, world units
+    float orthographic_height = 0.0f;   ///< of the view, world units; 0: perspective
+    std::optional<ScreenWindow> screen; ///< replaces vertical_fov
 };
+
+/// The surface-by-surface estimator of chapter 2, after T. Whitted, "An improved illumination
+/// model for shaded display", 1980.
+struct WhittedSettings {
+    std::optional<glm::vec3> ambient;    ///< intensity * colour; else the environment's radiance
+    std::optional<glm::vec3> background; ///< what a miss sees; else the environment
+    bool saturate = true;                ///< sums are cut at 1 at every node
+    bool source_reflectivity = false;    ///< the factor of the point that sends the light (C8)
+    bool distance_falloff = false;       ///< indirect light is divided by the squared distance
+    bool fresnel = false;                ///< splits transparent surfaces by Fresnel's formula
+    float epsilon = 0.0f;     ///< rays whose product of factors is not above it are not followed
+    uint32_t wavelengths = 7; ///< that a white ray splits into at a dispersive surface, in [3, 16]
+};
+
+enum class IntegratorKind : uint32_t { path, whitted, light, depth_buffer, painter };
 
 enum class Filter : uint32_t { box, tent, gaussian, blackman_harris };
 
@@ -112,6 +182,7 @@ struct RenderSettings {
     std::optional<uint32_t> width, height, samples, depth, seed;
     std::optional<Filter> filter;
     std::optional<float> exposure;
+    std::optional<IntegratorKind> integrator;
 };
 
 struct Scene {
@@ -120,11 +191,14 @@ struct Scene {
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Sphere> spheres;
+    std::vector<Shape> shapes;
     std::vector<PointLight> point_lights;
     std::vector<DirectionalLight> directional_lights;
+    std::vector<AreaLight> area_lights;
     Environment environment;
     std::vector<Camera> cameras;
     RenderSettings settings;
+    WhittedSettings whitted;
     std::vector<std::string> notes; ///< what was mapped, ignored or added, a sentence each
 };
 

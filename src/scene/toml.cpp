@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "scene/load.h"
 #include "scene/loaders.h"
+#include "scene/phong.h"
 #include "scene/toml_scene.h"
 
 #include <algorithm>
@@ -37,9 +38,10 @@ TomlScene::TomlScene(const fs::path& path, std::vector<fs::path> ancestors)
 }
 
 Scene TomlScene::read(const TableReader& root) {
-    root.allow(
-        {"camera", "film", "render", "material", "shape", "light", "environment", "include"});
+    root.allow({"camera", "film", "render", "whitted", "material", "shape", "light", "environment",
+                "include"});
     read_settings(root);
+    read_whitted(root);
     for (const TableReader& camera : root.tables("camera")) read_camera(camera);
     for (const TableReader& material : root.tables("material")) read_material(material);
     for (const TableReader& shape : root.tables("shape")) read_shape(shape);
@@ -61,7 +63,7 @@ void TomlScene::read_settings(const TableReader& root) {
         settings.height = uint32_t(size[1]);
     }
     for (const TableReader& render : root.tables("render")) {
-        render.allow({"samples", "depth", "seed", "filter", "exposure"});
+        render.allow({"samples", "depth", "seed", "filter", "exposure", "integrator"});
         settings.samples = render.integer("samples", 1, 1u << 24);
         settings.depth = render.integer("depth", 1, 1u << 16);
         settings.seed = render.integer("seed", 0, 0xffffffffu);
@@ -69,12 +71,48 @@ void TomlScene::read_settings(const TableReader& root) {
         if (const auto filter =
                 render.choice("filter", {"box", "tent", "gaussian", "blackman_harris"}))
             settings.filter = Filter(*filter);
+        if (const auto integrator = render.choice(
+                "integrator", {"path", "whitted", "light", "depth-buffer", "painter"}))
+            settings.integrator = IntegratorKind(*integrator);
     }
 }
 
+void TomlScene::read_whitted(const TableReader& root) {
+    for (const TableReader& table : root.tables("whitted")) {
+        table.allow({"ambient", "background", "saturate", "reflectivity", "distance_falloff",
+                     "fresnel", "epsilon", "wavelengths"});
+        WhittedSettings& w = scene_.whitted;
+        w.ambient = table.color("ambient", NOT_NEGATIVE);
+        w.background = table.color("background", NOT_NEGATIVE);
+        w.saturate = table.boolean("saturate").value_or(true);
+        w.source_reflectivity =
+            table.choice("reflectivity", {"surface", "source"}).value_or(0) == 1;
+        w.distance_falloff = table.boolean("distance_falloff").value_or(false);
+        w.fresnel = table.boolean("fresnel").value_or(false);
+        w.epsilon = table.number("epsilon", UNIT).value_or(0.0f);
+        w.wavelengths = table.integer("wavelengths", 3, 16).value_or(7);
+    }
+}
+
+/// The chapter's screen (C3).
+static std::optional<ScreenWindow> read_screen(const TableReader& camera) {
+    for (const TableReader& table : camera.tables("screen")) {
+        table.allow({"size", "distance", "first_pixel"});
+        const auto pair = [&](std::string_view key, Range range) -> std::optional<glm::vec2> {
+            const auto numbers = table.numbers(key, 2, range);
+            if (!numbers) return std::nullopt;
+            return glm::vec2((*numbers)[0], (*numbers)[1]);
+        };
+        return ScreenWindow{table.require("size", pair("size", POSITIVE)),
+                            table.require("distance", table.number("distance", POSITIVE)),
+                            pair("first_pixel", ANY_NUMBER)};
+    }
+    return std::nullopt;
+}
+
 void TomlScene::read_camera(const TableReader& table) {
-    table.allow(
-        {"name", "position", "look_at", "up", "vertical_fov", "aperture", "focus_distance"});
+    table.allow({"name", "position", "look_at", "up", "vertical_fov", "aperture", "focus_distance",
+                 "orthographic_height", "screen"});
     const glm::vec3 position = table.require("position", table.vector("position"));
     const glm::vec3 target = table.require("look_at", table.vector("look_at"));
     const glm::vec3 up = table.vector("up").value_or(glm::vec3(0, 1, 0));
@@ -93,6 +131,10 @@ void TomlScene::read_camera(const TableReader& table) {
     camera.vertical_fov = glm::radians(table.number("vertical_fov", fov).value_or(40.0f));
     camera.aperture_radius = table.number("aperture", NOT_NEGATIVE).value_or(0.0f);
     camera.focus_distance = table.number("focus_distance", POSITIVE).value_or(float(distance));
+    camera.orthographic_height = table.number("orthographic_height", POSITIVE).value_or(0.0f);
+    camera.screen = read_screen(table);
+    for (const char* key : {"vertical_fov", "orthographic_height"})
+        if (camera.screen && table.has(key)) table.fail(key, "can't go with screen; give one");
     scene_.cameras.push_back(camera);
 }
 
@@ -110,14 +152,46 @@ int32_t TomlScene::texture(const TableReader& table, std::string_view key, bool 
     return add_texture_file(scene_, folder_, *name, {srgb, wrap, wrap}, table.where(key));
 }
 
+/// What Whitted needs of the material: its kind's meaning, and over it the keys that are given.
+static Phong phong(const TableReader& table, const Material& material) {
+    Phong p = phong_of(material);
+    p.ambient = table.number("ambient", NOT_NEGATIVE).value_or(p.ambient);
+    p.diffuse = table.number("diffuse", NOT_NEGATIVE).value_or(p.diffuse);
+    p.specular = table.number("specular", NOT_NEGATIVE).value_or(p.specular);
+    p.exponent = table.number("exponent", NOT_NEGATIVE).value_or(p.exponent);
+    p.reflection = table.number("reflection", UNIT).value_or(p.reflection);
+    p.transmission = table.number("transmission", UNIT).value_or(p.transmission);
+    p.abbe = table.number("abbe", POSITIVE).value_or(p.abbe);
+    return p;
+}
+
 void TomlScene::read_material(const TableReader& table) {
-    table.allow({"name", "kind", "base_color", "color", "roughness", "metallic", "ior", "emission",
-                 "two_sided", "base_color_texture", "metallic_roughness_texture",
-                 "emission_texture", "normal_texture", "normal_scale", "wrap"});
+    table.allow({"name",
+                 "kind",
+                 "base_color",
+                 "color",
+                 "roughness",
+                 "metallic",
+                 "ior",
+                 "emission",
+                 "two_sided",
+                 "base_color_texture",
+                 "metallic_roughness_texture",
+                 "emission_texture",
+                 "normal_texture",
+                 "normal_scale",
+                 "wrap",
+                 "ambient",
+                 "diffuse",
+                 "specular",
+                 "exponent",
+                 "reflection",
+                 "transmission",
+                 "abbe"});
     Material m;
     m.name = table.require("name", table.text("name"));
     m.kind = MaterialKind(
-        table.choice("kind", {"diffuse", "conductor", "dielectric", "metallic_roughness"})
+        table.choice("kind", {"diffuse", "conductor", "dielectric", "metallic_roughness", "phong"})
             .value_or(0));
     const bool smooth = m.kind == MaterialKind::conductor || m.kind == MaterialKind::dielectric;
     m.base_color = base_color(table);
@@ -131,6 +205,7 @@ void TomlScene::read_material(const TableReader& table) {
     m.emission_texture = texture(table, "emission_texture", true);
     m.normal_texture = texture(table, "normal_texture", false);
     m.normal_scale = table.number("normal_scale").value_or(1.0f);
+    m.phong = phong(table, m);
     if (!material_of_name_.try_emplace(m.name, uint32_t(scene_.materials.size())).second)
         table.fail("name", fmt::format("'{}' is taken by an earlier material", m.name));
     scene_.materials.push_back(std::move(m));

@@ -30,6 +30,7 @@ class TomlScene {
     };
 
     void read_settings(const TableReader& root);
+    void read_whitted(const TableReader& root);
     void read_camera(const TableReader& table);
     void read_material(const TableReader& table);
     void read_environment(const TableReader& root);
@@ -48,6 +49,7 @@ class TomlScene {
     uint32_t material_named_in(const TableReader& table);
     uint32_t default_material();
     uint32_t emitter(const TableReader& table);
+    void add_area_light(const TableReader& table, AreaLight light);
     glm::mat4 placement(const TableReader& table) const;
     void place(const TableReader& table, std::string_view key, const std::string& file,
                const Part& part, const glm::mat4& transform);

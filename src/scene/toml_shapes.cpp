@@ -139,15 +139,36 @@ void TomlScene::read_shape(const TableReader& table) {
     }
 }
 
+/// Of the keys `strength`, the chapter's measure, and the radiometric one at least one is needed.
+struct Measures {
+    glm::vec3 strength{0.0f}, radiometric{0.0f};
+};
+
+static Measures measures(const TableReader& table, const char* radiometric) {
+    if (!table.has("strength") && !table.has(radiometric))
+        table.fail(radiometric, "is missing; add it, or strength");
+    const glm::vec3 none(0.0f);
+    return {table.color("strength", NOT_NEGATIVE).value_or(none),
+            table.color(radiometric, NOT_NEGATIVE).value_or(none)};
+}
+
 /// A black material that emits the light's radiance.
 uint32_t TomlScene::emitter(const TableReader& table) {
     Material material;
     material.name = "light";
     material.base_color = glm::vec3(0.0f);
-    material.emission = table.require("radiance", table.color("radiance", NOT_NEGATIVE));
+    material.emission = measures(table, "radiance").radiometric;
     material.two_sided = table.boolean("two_sided").value_or(false);
     scene_.materials.push_back(material);
     return uint32_t(scene_.materials.size() - 1);
+}
+
+void TomlScene::add_area_light(const TableReader& table, AreaLight light) {
+    light.strength = measures(table, "radiance").strength;
+    light.samples = table.integer("samples", 1, 64).value_or(light.samples);
+    light.material = uint32_t(scene_.materials.size() - 1);
+    light.two_sided = scene_.materials.back().two_sided;
+    scene_.area_lights.push_back(light);
 }
 
 void TomlScene::read_light(const TableReader& table) {
@@ -155,30 +176,42 @@ void TomlScene::read_light(const TableReader& table) {
     const size_t type = table.require(
         "type", table.choice("type", {"point", "directional", "rectangle", "sphere"}));
     if (type == POINT) {
-        table.allow({"type", "position", "intensity"});
+        table.allow({"type", "position", "intensity", "strength"});
+        const Measures m = measures(table, "intensity");
         scene_.point_lights.push_back(
-            {table.require("position", table.vector("position")),
-             table.require("intensity", table.color("intensity", NOT_NEGATIVE))});
+            {table.require("position", table.vector("position")), m.radiometric, m.strength});
     } else if (type == DIRECTIONAL) {
-        table.allow({"type", "direction", "irradiance"});
+        table.allow({"type", "direction", "irradiance", "strength"});
         const glm::dvec3 direction(table.require("direction", table.vector("direction")));
         if (glm::length(direction) < 1e-30) table.fail("direction", "must not be zero");
+        const Measures m = measures(table, "irradiance");
         scene_.directional_lights.push_back(
-            {glm::vec3(-glm::normalize(direction)),
-             table.require("irradiance", table.color("irradiance", NOT_NEGATIVE))});
+            {glm::vec3(-glm::normalize(direction)), m.radiometric, m.strength});
     } else if (type == RECTANGLE) {
-        table.allow({"type", "radiance", "two_sided", "position", "rotation", "scale", "size",
-                     "corner", "edge1", "edge2"});
+        table.allow({"type", "radiance", "strength", "samples", "two_sided", "position", "rotation",
+                     "scale", "size", "corner", "edge1", "edge2"});
         add_rectangle(table, emitter(table));
+        const Mesh& mesh = scene_.meshes.back(); // its corners go around
+        AreaLight light;
+        light.position = mesh.positions[0];
+        light.edge1 = mesh.positions[1] - mesh.positions[0];
+        light.edge2 = mesh.positions[3] - mesh.positions[0];
+        add_area_light(table, light);
     } else {
-        table.allow({"type", "radiance", "center", "radius"});
+        table.allow({"type", "radiance", "strength", "samples", "center", "radius"});
         add_sphere(table, emitter(table));
+        AreaLight light;
+        light.kind = AreaLightKind::sphere;
+        light.position = scene_.spheres.back().center;
+        light.radius = scene_.spheres.back().radius;
+        add_area_light(table, light);
     }
 }
 
 static void keep_geometry(Scene& scene) {
     scene.point_lights.clear();
     scene.directional_lights.clear();
+    scene.area_lights.clear();
     scene.cameras.clear();
     scene.environment = {};
     scene.settings = {};

@@ -1,6 +1,7 @@
 #include "upload/appearance.h"
 
 #include "core/error.h"
+#include "scene/phong.h"
 #include "upload/alias_table.h"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ std::vector<MaterialRecord> pack_materials(const Scene& scene) {
     static_assert(uint32_t(MaterialKind::dielectric) == MATERIAL_DIELECTRIC);
     static_assert(uint32_t(MaterialKind::conductor) == MATERIAL_CONDUCTOR);
     std::vector<MaterialRecord> records;
-    for (const Material& m : scene.materials) {
+    for (const Material& material : scene.materials) {
+        const Material m = path_material(material);
         MaterialRecord record{};
         for (uint32_t k = 0; k < 3; k++) {
             record.base_color[k] = m.base_color[k];

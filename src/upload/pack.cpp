@@ -1,5 +1,6 @@
 #include "upload/pack.h"
 
+#include "scene/phong.h"
 #include "upload/geometry.h"
 
 #include <fmt/format.h>
@@ -25,7 +26,7 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.textures = !scene.textures.empty();
     for (const Material& material : scene.materials) {
         features.normal_maps |= material.normal_texture != NO_TEXTURE;
-        features.dielectrics |= material.kind == MaterialKind::dielectric;
+        features.dielectrics |= path_material(material).kind == MaterialKind::dielectric;
     }
     features.environment = packed.environment_light != NO_INDEX;
     // Rounded up, so that scenes of similar depth share a compiled program.

@@ -1,0 +1,24 @@
+// Between the chapter's materials and lights and the physical ones: every scene for every
+// integrator.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace onde {
+
+/// What Whitted makes of a material that is not phong: diffuse keeps its colour; a conductor
+/// reflects, a smooth dielectric lets through, each by its base colour's largest component; a
+/// metallic-roughness mix is diffuse as far as it is not metal, and the rest reflects. The rougher,
+/// the wider the highlight: exponent 2 / alpha^2 - 2 (Walter et al. 2007), at most 1000.
+Phong phong_of(const Material& material);
+
+/// What integrators that follow light make of a material: phong becomes a dielectric where more
+/// than half goes through, a conductor where more than half is reflected, else diffuse. Others
+/// stay.
+Material path_material(const Material& material);
+
+/// Sets the measure that each light lacks (see PointLight): the strength of a light is that with
+/// which a diffuse surface that faces it from the scene's centre shows the same colour.
+void complete_lights(Scene& scene);
+
+} // namespace onde

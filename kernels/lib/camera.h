@@ -21,26 +21,33 @@ INLINE real filter_offset(__global const FrameRecord* frame, real u) {
     return fma(x - below, high - low, low);
 }
 
+// A point of the focus plane, or of the screen, by film coordinates in pixels, y downward.
+INLINE real3 camera_target(__global const FrameRecord* frame, real x, real y) {
+    return madd3(uniform3(frame->step_y), y,
+                 madd3(uniform3(frame->step_x), x, uniform3(frame->corner)));
+}
+
+// The ray through film coordinates, without a lens.
+INLINE CameraRay camera_ray_through(__global const FrameRecord* frame, real x, real y) {
+    const real3 target = camera_target(frame, x, y);
+    CameraRay ray;
+    ray.origin = frame->orthographic ? target : uniform3(frame->origin);
+    ray.direction =
+        frame->orthographic ? uniform3(frame->forward) : normalize3(sub3(target, ray.origin));
+    return ray;
+}
+
 // pixel: x | y << 16, y downward.
 INLINE CameraRay camera_ray(__global const FrameRecord* frame, natural pixel, Sampler sampler) {
     const real2 u = sampler_pair(sampler, DIMENSION_FILTER);
     const real x = to_real(pixel & 0xffffu) + 0.5f + filter_offset(frame, u.x);
     const real y = to_real(pixel >> 16) + 0.5f + filter_offset(frame, u.y);
-    const real3 target = madd3(uniform3(frame->step_y), y,
-                               madd3(uniform3(frame->step_x), x, uniform3(frame->corner)));
-    CameraRay ray;
-    if (frame->orthographic) {
-        ray.origin = target;
-        ray.direction = uniform3(frame->forward);
-        return ray;
-    }
-    ray.origin = uniform3(frame->origin);
-    if (frame->aperture_radius > 0.0f) {
-        const real2 lens = sample_disk(sampler_pair(sampler, DIMENSION_LENS));
-        ray.origin = madd3(uniform3(frame->lens_u), lens.x * frame->aperture_radius, ray.origin);
-        ray.origin = madd3(uniform3(frame->lens_v), lens.y * frame->aperture_radius, ray.origin);
-    }
-    ray.direction = normalize3(sub3(target, ray.origin));
+    CameraRay ray = camera_ray_through(frame, x, y);
+    if (frame->orthographic || frame->aperture_radius <= 0.0f) return ray;
+    const real2 lens = sample_disk(sampler_pair(sampler, DIMENSION_LENS));
+    ray.origin = madd3(uniform3(frame->lens_u), lens.x * frame->aperture_radius, ray.origin);
+    ray.origin = madd3(uniform3(frame->lens_v), lens.y * frame->aperture_radius, ray.origin);
+    ray.direction = normalize3(sub3(camera_target(frame, x, y), ray.origin));
     return ray;
 }
 

@@ -6,8 +6,6 @@
 #include "lib/environment.h"
 #include "lib/material.h"
 
-// Shadow rays stop this share short of the light, so as not to hit the light itself.
-#define SHADOW_SHORTENING (1.0f - 1e-4f)
 #define INFINITE_DISTANCE 1e30f
 
 typedef struct {

@@ -40,6 +40,44 @@ INLINE SineCosine sincos_turns(real u) {
     return result;
 }
 
+// Base 2, of x > 0 that is no denormal. Absolute error below 2e-7, relative near 1.
+INLINE real log2_real(real x) {
+    const integer bits = as_integer(x);
+    const integer shifted = bits - 0x3f3504f3; // sqrt(1/2): the mantissa ends up around 1
+    const integer exponent = shifted >> 23;
+    const real m = as_real(bits - (exponent << 23));
+    const real s = (m - 1.0f) / (m + 1.0f); // 2 atanh(s) = ln m
+    const real s2 = s * s;
+    real p = fma(s2, (real)(1.0f / 9.0f), (real)(1.0f / 7.0f));
+    p = fma(s2, p, (real)(1.0f / 5.0f));
+    p = fma(s2, p, (real)(1.0f / 3.0f));
+    p = fma(s2 * s, p, s) * 2.88539008f; // 2 / ln 2
+    return to_real(exponent) + p;
+}
+
+// 2^x; 0 below -126. Relative error below 3e-7 for x <= 127.
+INLINE real exp2_real(real x) {
+    const real clamped = clamp_real(x, -126.0f, 127.0f);
+    const real whole = floor(clamped + 0.5f);
+    const real f = (clamped - whole) * 0.693147181f;
+    real p = fma(f, (real)(1.0f / 5040.0f), (real)(1.0f / 720.0f));
+    p = fma(f, p, (real)(1.0f / 120.0f));
+    p = fma(f, p, (real)(1.0f / 24.0f));
+    p = fma(f, p, (real)(1.0f / 6.0f));
+    p = fma(f, p, (real)(0.5f));
+    p = fma(f, p, (real)(1.0f));
+    p = fma(f, p, (real)(1.0f));
+    const real power = as_real((to_integer(whole) + 127) << 23);
+    return choose(x < -126.0f, (real)(0.0f), p * power);
+}
+
+// x^y for x in [0, 1], y >= 0; 0^0 is 1.
+INLINE real power_unit(real x, real y) {
+    const mask positive = x > 1.2e-38f;
+    const real power = exp2_real(y * log2_real(choose(positive, x, (real)(1.0f))));
+    return choose(positive, power, choose(y == 0.0f, (real)(1.0f), (real)(0.0f)));
+}
+
 // The angle of (x, y) in turns, in [0, 1]. (0, 0) gives 0. Absolute error below 1e-6.
 INLINE real angle_turns(real y, real x) {
     const real ax = fabs(x), ay = fabs(y);

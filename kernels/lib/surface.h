@@ -29,6 +29,9 @@ INLINE real3 offset_origin(real3 position, real3 normal, real t) {
     return madd3(normal, max_real(largest, t) * ORIGIN_OFFSET, position);
 }
 
+// Shadow rays stop this share short of the light, so as not to hit the light itself.
+#define SHADOW_SHORTENING (1.0f - 1e-4f)
+
 // Row k of the linear part of an instance's matrix.
 #define INSTANCE_ROW(view, i, matrix, k)                                                           \
     make3(RECORD(view.bvh.instances, i, BvhInstance, matrix[4 * k]),                               \

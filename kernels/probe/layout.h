@@ -6,6 +6,7 @@
 #include "shared/bvh.h"
 #include "shared/frame.h"
 #include "shared/scene.h"
+#include "shared/whitted.h"
 
 #define SHARED_LAYOUT(SIZE, OFFSET)                                                                \
     SIZE(BvhNode)                                                                                  \
@@ -101,6 +102,40 @@
     OFFSET(FrameRecord, environment_height)                                                        \
     OFFSET(FrameRecord, environment_radiance)                                                      \
     OFFSET(FrameRecord, environment_rotation)                                                      \
-    OFFSET(FrameRecord, filter_table)
+    OFFSET(FrameRecord, filter_table)                                                              \
+    SIZE(WhittedRecord)                                                                            \
+    OFFSET(WhittedRecord, ambient)                                                                 \
+    OFFSET(WhittedRecord, has_background)                                                          \
+    OFFSET(WhittedRecord, background)                                                              \
+    OFFSET(WhittedRecord, epsilon)                                                                 \
+    OFFSET(WhittedRecord, saturate)                                                                \
+    OFFSET(WhittedRecord, source_reflectivity)                                                     \
+    OFFSET(WhittedRecord, distance_falloff)                                                        \
+    OFFSET(WhittedRecord, fresnel)                                                                 \
+    OFFSET(WhittedRecord, max_depth)                                                               \
+    OFFSET(WhittedRecord, source_count)                                                            \
+    OFFSET(WhittedRecord, wavelengths)                                                             \
+    OFFSET(WhittedRecord, bend)                                                                    \
+    OFFSET(WhittedRecord, filter)                                                                  \
+    SIZE(PhongRecord)                                                                              \
+    OFFSET(PhongRecord, color)                                                                     \
+    OFFSET(PhongRecord, texture)                                                                   \
+    OFFSET(PhongRecord, ambient)                                                                   \
+    OFFSET(PhongRecord, diffuse)                                                                   \
+    OFFSET(PhongRecord, specular)                                                                  \
+    OFFSET(PhongRecord, exponent)                                                                  \
+    OFFSET(PhongRecord, reflection)                                                                \
+    OFFSET(PhongRecord, transmission)                                                              \
+    OFFSET(PhongRecord, ior)                                                                       \
+    OFFSET(PhongRecord, dispersion)                                                                \
+    SIZE(SourceRecord)                                                                             \
+    OFFSET(SourceRecord, position)                                                                 \
+    OFFSET(SourceRecord, kind)                                                                     \
+    OFFSET(SourceRecord, edge1)                                                                    \
+    OFFSET(SourceRecord, radius)                                                                   \
+    OFFSET(SourceRecord, edge2)                                                                    \
+    OFFSET(SourceRecord, two_sided)                                                                \
+    OFFSET(SourceRecord, strength)                                                                 \
+    OFFSET(SourceRecord, samples)
 
 #endif

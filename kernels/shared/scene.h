@@ -28,8 +28,9 @@ typedef struct {
     uint normal_texture;
 } MaterialRecord;
 
-#define LIGHT_UNLISTED 0xfffffffeu // emits too little to be worth sampling; rays may find it
-#define SURFACE_SPHERE 0x80000000u // flag in SurfaceRecord.material
+#define LIGHT_UNLISTED 0xfffffffeu        // emits too little to be worth sampling; rays may find it
+#define SURFACE_SPHERE 0x80000000u        // flag in SurfaceRecord.material
+#define SURFACE_MATERIAL_MASK 0x3fffffffu // the index in it
 
 // 64 bytes, one per primitive. Unit vectors are octahedral, 2 x 16 bits (see lib/octahedral.h).
 // Triangle: corner normals, tangent, uvs and geometric normal in object space.

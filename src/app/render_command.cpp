@@ -123,7 +123,7 @@ bool run(const RenderRequest& request) {
     gpu::Profiler profiler;
     const bool profiled = request.stats || !request.json.empty();
     const auto integrator = make_integrator(
-        {device, sources, request.no_cache ? nullptr : &cache, scene, device_scene,
+        {device, sources, request.no_cache ? nullptr : &cache, &scene, device_scene,
          scene.cameras[report.options.camera], report.options, profiled ? &profiler : nullptr});
     report.kernels = integrator->build_report();
     report.state_bytes = integrator->state_bytes();

@@ -19,7 +19,8 @@ constexpr float MOST_STOPS = 64.0f;
 const std::map<std::string, Engine> ENGINES{{"wavefront", Engine::wavefront},
                                             {"megakernel", Engine::megakernel}};
 // A line here makes an integrator reachable.
-const std::map<std::string, IntegratorKind> INTEGRATORS{{"path", IntegratorKind::path}};
+const std::map<std::string, IntegratorKind> INTEGRATORS{{"path", IntegratorKind::path},
+                                                        {"whitted", IntegratorKind::whitted}};
 const std::map<std::string, gpu::Launch> LAUNCHES{{"staged", gpu::Launch::staged},
                                                   {"fused", gpu::Launch::fused}};
 const std::map<std::string, gpu::QueueKind> QUEUES{{"chunk-local", gpu::QueueKind::chunk_local},
@@ -113,6 +114,10 @@ void declare_method(CLI::App& command, RenderRequest& r) {
         ->type_name("N");
     command.add_option("--wave-size", r.wave_size, "Paths in flight")->type_name("N");
     command.add_option("--chunk", r.chunk, "Paths of one work item")->type_name("N");
+    command
+        .add_option("--tree-slots", r.tree_slots,
+                    "Whitted: rays kept for each path of a wave (8); what does not fit is cut")
+        ->type_name("N");
 }
 
 void declare_machine(CLI::App& command, RenderRequest& r) {
@@ -180,6 +185,7 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
     options.filter = request.filter.value_or(own.filter.value_or(options.filter));
     options.camera = find_camera(request.camera, scene);
     options.integrator = request.integrator.value_or(own.integrator.value_or(options.integrator));
+    options.tree_slots = request.tree_slots.value_or(options.tree_slots);
     options.engine = request.engine.value_or(options.engine);
     options.settings = gpu::default_settings(facts);
     resolve_settings(request, options.settings);

@@ -17,7 +17,7 @@ struct RenderRequest {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs;
     std::string size;
-    std::optional<uint32_t> samples, depth, seed, wave_size, chunk, width;
+    std::optional<uint32_t> samples, depth, seed, wave_size, chunk, width, tree_slots;
     std::optional<double> seconds;
     std::optional<IntegratorKind> integrator;
     std::optional<Engine> engine;

@@ -46,7 +46,8 @@ std::vector<uint64_t> KernelArguments::counters() const {
 }
 
 gpu::Program build_engine(const EngineContext& context, const std::string& file,
-                          const std::vector<std::string>& kernels) {
+                          const std::vector<std::string>& kernels,
+                          const std::vector<std::string>& more_defines) {
     const gpu::DeviceSettings& settings = context.options.settings;
     gpu::ProgramRequest request;
     request.file = file;
@@ -56,6 +57,7 @@ gpu::Program build_engine(const EngineContext& context, const std::string& file,
         fmt::format("ONDE_GLOBAL_QUEUE={:d}", settings.queue == gpu::QueueKind::global));
     request.defines.push_back(
         fmt::format("ONDE_PRIMARY_PACKETS={:d}", settings.primary_packets && settings.width == 16));
+    request.defines.insert(request.defines.end(), more_defines.begin(), more_defines.end());
     const RenderOptions& options = context.options;
     const uint64_t frame = uint64_t(options.width) * options.height * options.samples_in_flight;
     const size_t items = std::min<uint64_t>(settings.wave_size, frame) / settings.chunk;

@@ -88,8 +88,10 @@ std::unique_ptr<EngineDriver> make_megakernel(const EngineContext& context);
 /// The engine that the options name.
 std::unique_ptr<EngineDriver> make_engine(const EngineContext& context);
 
-/// The program `file` with the scene's, the settings' and the device's definitions, and `tally`.
+/// The program `file` with the scene's, the settings' and the device's definitions and
+/// `more_defines`, and `tally`.
 gpu::Program build_engine(const EngineContext& context, const std::string& file,
-                          const std::vector<std::string>& kernels);
+                          const std::vector<std::string>& kernels,
+                          const std::vector<std::string>& more_defines = {});
 
 } // namespace onde

@@ -2,17 +2,30 @@
 #include "render/integrator.h"
 
 #include "core/error.h"
+#include "render/wave_integrator.h"
+#include "render/whitted_engine.h"
 
 namespace onde {
 
-std::unique_ptr<Integrator> make_integrator(const IntegratorContext& c) {
-    switch (c.options.integrator) {
+std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
+    switch (context.options.integrator) {
     case IntegratorKind::path:
-        return make_path_integrator(c.device, c.sources, c.cache, c.scene, c.camera, c.options,
-                                    c.profiler);
+        return make_wave_integrator(context, make_engine);
+    case IntegratorKind::whitted:
+        return make_wave_integrator(context, [&](const EngineContext& engine) {
+            return make_whitted_engine(engine, *context.description);
+        });
     default:
         throw InputError("this integrator is not built yet; use --integrator path");
     }
+}
+
+std::unique_ptr<Integrator>
+make_path_integrator(const gpu::Device& device, const gpu::KernelSources& sources,
+                     const gpu::ProgramCache* cache, const DeviceScene& scene, const Camera& camera,
+                     const RenderOptions& options, gpu::Profiler* profiler) {
+    return make_wave_integrator({device, sources, cache, nullptr, scene, camera, options, profiler},
+                                make_engine);
 }
 
 } // namespace onde

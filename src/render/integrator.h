@@ -38,8 +38,8 @@ struct IntegratorContext {
     const gpu::Device& device;
     const gpu::KernelSources& sources;
     const gpu::ProgramCache* cache; ///< null: kernels are compiled anew
-    const Scene& description;
-    const DeviceScene& scene; ///< of the same description
+    const Scene* description;       ///< what Whitted and the rasterisers read; else it may be null
+    const DeviceScene& scene;       ///< of the same description
     const Camera& camera;
     const RenderOptions& options;
     gpu::Profiler* profiler = nullptr; ///< null: launches are not timed

@@ -1,6 +1,7 @@
 #include "render/memory_plan.h"
 
 #include "core/error.h"
+#include "render/tree_memory.h"
 #include "render/wave_memory.h"
 
 namespace onde {
@@ -22,7 +23,10 @@ MemoryPlan plan_memory(const RenderOptions& options) {
     MemoryPlan plan;
     plan.film = {{"film sums", pixels * sizeof(cl_float4)},
                  {"pixel order", pixels * sizeof(uint32_t)}};
-    if (options.engine == Engine::wavefront) plan.paths = WaveMemory::plan(options.settings);
+    if (options.integrator == IntegratorKind::whitted)
+        plan.paths = TreeMemory::plan(options);
+    else if (options.engine == Engine::wavefront)
+        plan.paths = WaveMemory::plan(options.settings);
     return plan;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "shared/frame.h"
+#include "shared/whitted.h"
 
 #include <bit>
 
@@ -18,6 +19,9 @@ void check_options(const RenderOptions& options) {
     check_range("width x height", uint64_t(options.width) * options.height, 1, 1u << 28);
     check_range("samples per pixel", options.samples, 1, 1u << 24);
     check_range("depth", options.depth, 1, COUNTER_BOUNCES - 1);
+    check_range("tree slots", options.tree_slots, 1, 1u << 12);
+    if (options.integrator == IntegratorKind::whitted)
+        check_range("depth of --integrator whitted", options.depth, 1, MAX_TREE_DEPTH);
     const gpu::DeviceSettings& s = options.settings;
     if (s.width != 1 && s.width != 8 && s.width != 16)
         throw InputError("width {} of lanes is not one of 1, 8, 16", s.width);

@@ -1,5 +1,4 @@
-// The path tracer: cuts passes into waves and gives them to an engine.
-#include "render/integrator.h"
+#include "render/wave_integrator.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,14 +13,13 @@ uint64_t RayCounts::total() const {
 
 namespace {
 
-class PathIntegrator : public Integrator {
+class WaveIntegrator : public Integrator {
   public:
-    PathIntegrator(const gpu::Device& device, const gpu::KernelSources& sources,
-                   const gpu::ProgramCache* cache, const DeviceScene& scene, const Camera& camera,
-                   const RenderOptions& options, gpu::Profiler* profiler)
-        : device_(device), options_(checked(options)), film_(device, options.width, options.height),
-          engine_(make_engine({device, sources, cache, scene, film_, camera, options_, profiler})) {
-    }
+    WaveIntegrator(const IntegratorContext& c, const EngineFactory& make)
+        : device_(c.device), options_(checked(c.options)),
+          film_(c.device, c.options.width, c.options.height),
+          engine_(make(
+              {c.device, c.sources, c.cache, c.scene, film_, c.camera, options_, c.profiler})) {}
 
     void render_pass(uint32_t first, uint32_t count,
                      const std::function<bool(double)>& keep_going) override {
@@ -70,12 +68,9 @@ class PathIntegrator : public Integrator {
 
 } // namespace
 
-std::unique_ptr<Integrator>
-make_path_integrator(const gpu::Device& device, const gpu::KernelSources& sources,
-                     const gpu::ProgramCache* cache, const DeviceScene& scene, const Camera& camera,
-                     const RenderOptions& options, gpu::Profiler* profiler) {
-    return std::make_unique<PathIntegrator>(device, sources, cache, scene, camera, options,
-                                            profiler);
+std::unique_ptr<Integrator> make_wave_integrator(const IntegratorContext& context,
+                                                 const EngineFactory& make) {
+    return std::make_unique<WaveIntegrator>(context, make);
 }
 
 } // namespace onde

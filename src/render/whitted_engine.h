@@ -1,0 +1,12 @@
+// The Whitted estimator's engines: staged and fused wavefront, and the megakernel.
+#pragma once
+
+#include "render/engine.h"
+
+namespace onde {
+
+/// The engine that the options name. The scene is the one that the context's device scene was
+/// packed from; it is not kept.
+std::unique_ptr<EngineDriver> make_whitted_engine(const EngineContext& context, const Scene& scene);
+
+} // namespace onde

@@ -1,0 +1,141 @@
+#include "upload/whitted.h"
+
+#include "shared/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace onde {
+namespace {
+
+void copy(float (&to)[3], glm::vec3 from) {
+    for (uint32_t k = 0; k < 3; k++) to[k] = from[k];
+}
+
+// Fraunhofer lines in micrometres: by these an Abbe number is defined.
+constexpr double BLUE_F = 0.4861, YELLOW_D = 0.5876, RED_C = 0.6563;
+
+/// Cauchy's B, per square micrometre.
+float dispersion(float ior, float abbe) {
+    if (!(abbe > 0)) return 0.0f;
+    return float((ior - 1.0) / (abbe * (1 / (BLUE_F * BLUE_F) - 1 / (RED_C * RED_C))));
+}
+
+/// Wyman, Sloan and Shirley, "Simple analytic approximations to the CIE XYZ color matching
+/// functions", 2013: the multi-lobe fit. Nanometres.
+glm::dvec3 observer(double w) {
+    const auto lobe = [w](double mean, double below, double above) {
+        const double t = (w - mean) / (w < mean ? below : above);
+        return std::exp(-0.5 * t * t);
+    };
+    return {1.056 * lobe(599.8, 37.9, 31.0) + 0.362 * lobe(442.0, 16.0, 26.7) -
+                0.065 * lobe(501.1, 20.4, 26.2),
+            0.821 * lobe(568.8, 46.9, 40.5) + 0.286 * lobe(530.9, 16.3, 31.1),
+            1.217 * lobe(437.0, 11.8, 36.0) + 0.681 * lobe(459.0, 26.0, 13.8)};
+}
+
+/// Linear sRGB (IEC 61966-2-1), negative components set to 0.
+glm::dvec3 srgb_of(const glm::dvec3& xyz) {
+    const glm::dmat3 rows({3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415},
+                          {0.0557, -0.2040, 1.0570});
+    return glm::max(glm::transpose(rows) * xyz, glm::dvec3(0));
+}
+
+void set_wavelengths(WhittedRecord& record, uint32_t count) {
+    record.wavelengths = count;
+    std::array<glm::dvec3, MAX_WAVELENGTHS> filters;
+    glm::dvec3 sum(0);
+    for (uint32_t j = 0; j < count; j++) {
+        const double w = 0.42 + 0.26 * (j + 0.5) / count;
+        record.bend[j] = float(1 / (w * w) - 1 / (YELLOW_D * YELLOW_D));
+        filters[j] = srgb_of(observer(1000 * w));
+        sum += filters[j];
+    }
+    for (uint32_t j = 0; j < count; j++)
+        for (uint32_t k = 0; k < 3; k++) record.filter[3 * j + k] = float(filters[j][k] / sum[k]);
+}
+
+WhittedRecord pack_settings(const Scene& scene, uint32_t depth) {
+    const WhittedSettings& w = scene.whitted;
+    WhittedRecord record{};
+    copy(record.ambient, w.ambient.value_or(scene.environment.radiance));
+    record.has_background = w.background.has_value();
+    copy(record.background, w.background.value_or(glm::vec3(0.0f)));
+    record.epsilon = w.epsilon;
+    record.saturate = w.saturate;
+    record.source_reflectivity = w.source_reflectivity;
+    record.distance_falloff = w.distance_falloff;
+    record.fresnel = w.fresnel;
+    record.max_depth = depth;
+    set_wavelengths(record, w.wavelengths);
+    return record;
+}
+
+PhongRecord pack_phong(const Material& m) {
+    const Phong& p = m.phong;
+    PhongRecord record{};
+    copy(record.color, m.base_color);
+    record.texture = m.base_color_texture < 0 ? NO_INDEX : uint32_t(m.base_color_texture);
+    record.ambient = p.ambient;
+    record.diffuse = p.diffuse;
+    record.specular = p.specular;
+    record.exponent = p.exponent;
+    record.reflection = p.reflection;
+    record.transmission = p.transmission;
+    record.ior = m.ior;
+    record.dispersion = dispersion(m.ior, p.abbe);
+    return record;
+}
+
+SourceRecord source(uint32_t kind, glm::vec3 position, glm::vec3 strength) {
+    SourceRecord record{};
+    record.kind = kind;
+    copy(record.position, position);
+    copy(record.strength, strength);
+    record.samples = 1;
+    return record;
+}
+
+SourceRecord pack_area_light(const AreaLight& light) {
+    static_assert(uint32_t(AreaLightKind::disk) == SOURCE_DISK);
+    static_assert(uint32_t(AreaLightKind::sphere) == SOURCE_SPHERE);
+    SourceRecord record = source(uint32_t(light.kind), light.position, light.strength);
+    copy(record.edge1, light.edge1);
+    copy(record.edge2, light.edge2);
+    record.radius = light.radius;
+    record.two_sided = light.two_sided;
+    record.samples = light.samples;
+    return record;
+}
+
+} // namespace
+
+std::vector<std::string> PackedWhitted::defines() const {
+    return {fmt::format("ONDE_TRANSLUCENT={:d}", translucent),
+            fmt::format("ONDE_DISPERSION={:d}", dispersive),
+            fmt::format("ONDE_TREE_DEPTH={}", depth)};
+}
+
+PackedWhitted pack_whitted(const Scene& scene, uint32_t depth) {
+    PackedWhitted packed;
+    packed.depth = depth;
+    packed.settings = pack_settings(scene, depth);
+    for (const Material& material : scene.materials) {
+        packed.phong.push_back(pack_phong(material));
+        packed.translucent |= packed.phong.back().transmission > 0;
+        packed.dispersive |= packed.phong.back().dispersion > 0;
+    }
+    for (const PointLight& light : scene.point_lights)
+        packed.sources.push_back(source(SOURCE_POINT, light.position, light.strength));
+    for (const DirectionalLight& light : scene.directional_lights)
+        packed.sources.push_back(source(SOURCE_DIRECTIONAL, light.to_light, light.strength));
+    for (const AreaLight& light : scene.area_lights)
+        packed.sources.push_back(pack_area_light(light));
+    packed.settings.source_count = uint32_t(packed.sources.size());
+    return packed;
+}
+
+} // namespace onde

@@ -225,6 +225,14 @@ INLINE mask mask_from_bits(uint bits) {
 INLINE natural load_natural(__global const float* p) {
     return as_natural(load_real(p));
 }
+// Over all lanes.
+INLINE uint sum_natural(natural a) {
+    float word[ONDE_WIDTH];
+    spill_real(word, as_real(a));
+    uint sum = 0;
+    for (int k = 0; k < ONDE_WIDTH; k++) sum += as_uint(word[k]);
+    return sum;
+}
 INLINE void store_natural(__global float* p, natural a) {
     store_real(p, as_real(a));
 }

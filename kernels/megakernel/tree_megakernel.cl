@@ -85,15 +85,18 @@ INLINE void enter_nodes(SceneView view, WhittedView w, __global uint* counters, 
     const uint bits = mask_bits(entering);
     const Hits hit = trace_closest(view.bvh, ray.origin, ray.direction, bits);
     const TreeVertex v = tree_vertex(view, w, ray, hit, entering);
-    uint rays = 0;
+    natural rays = (natural)(0u);
     const real3 color = tree_color(view, w, v, sample, entering, &rays);
     store_node(stack, level, ray, hit, bits);
     store_frame3(stack->color, level, color, bits);
-    float at[ONDE_WIDTH];
+    float at[ONDE_WIDTH], shadow_rays[ONDE_WIDTH];
     spill_real(at, as_real(level));
-    for (uint rest = bits; rest; rest &= rest - 1)
-        count_rays(counters, COUNTER_EXTENSION, as_uint(at[lowest_bit(rest)]), 1);
-    count_rays(counters, COUNTER_SHADOW, as_uint(at[lowest_bit(bits)]), rays);
+    spill_real(shadow_rays, as_real(rays));
+    for (uint rest = bits; rest; rest &= rest - 1) {
+        const uint k = lowest_bit(rest);
+        count_rays(counters, COUNTER_EXTENSION, as_uint(at[k]), 1);
+        count_rays(counters, COUNTER_SHADOW, as_uint(at[k]), as_uint(shadow_rays[k]));
+    }
 }
 
 // The next child of the node on top; children that do not exist are passed over one by one.

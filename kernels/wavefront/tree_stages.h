@@ -28,9 +28,10 @@ INLINE void tree_intersect(SceneView view, NodeArena a, uint level, uint begin, 
 }
 
 // Stores the group's own colours and starts the children in slots from `next` on. Returns the slot
-// after the last child, or TREE_OVERFLOW when they do not fit. `rays` counts shadow rays.
+// after the last child, or TREE_OVERFLOW when they do not fit. `rays` counts the shadow rays of
+// each lane.
 INLINE uint tree_shade_group(SceneView view, WhittedView w, WaveJob job, NodeArena a, uint level,
-                             uint i, uint end, uint next, uint* rays) {
+                             uint i, uint end, uint next, natural* rays) {
     const mask lanes = group_lanes(i, end);
     const TreeRay ray = load_tree_ray(a, i);
     const TreeVertex v = tree_vertex(view, w, ray, load_node_hits(a, i), lanes);
@@ -50,12 +51,14 @@ INLINE uint tree_shade_group(SceneView view, WhittedView w, WaveJob job, NodeAre
 }
 
 // Shades a level; the next one begins at whole_groups(end). Returns where that ends, or
-// TREE_OVERFLOW.
+// TREE_OVERFLOW, and in `rays` how many shadow rays there were.
 INLINE uint tree_shade(SceneView view, WhittedView w, WaveJob job, NodeArena a, uint level,
                        uint begin, uint end, uint* rays) {
     uint next = whole_groups(end);
+    natural lane_rays = (natural)(0u);
     for (uint i = begin; i < end && next != TREE_OVERFLOW; i += ONDE_WIDTH)
-        next = tree_shade_group(view, w, job, a, level, i, end, next, rays);
+        next = tree_shade_group(view, w, job, a, level, i, end, next, &lane_rays);
+    *rays = sum_natural(lane_rays);
     return next;
 }
 

@@ -122,7 +122,7 @@ INLINE real3 tree_exit(TreeVertex v, real3 d) {
 
 // What one sample of a source adds, as a factor of its strength times the object's colour.
 INLINE real sample_light(SceneView view, WhittedView w, TreeVertex v, SourceSample s, mask lanes,
-                         uint* rays) {
+                         natural* rays) {
     const real3 n = v.surface.normal;
     const real cosine = dot3(n, s.direction);
     const mask lit = lanes & s.lit & (cosine > 0.0f);
@@ -130,9 +130,10 @@ INLINE real sample_light(SceneView view, WhittedView w, TreeVertex v, SourceSamp
     const real highlight =
         power_unit(clamp_real(dot3(r, v.view), 0.0f, 1.0f), PHONG(w, v, exponent));
     const real phong = fma(PHONG(w, v, specular), highlight, PHONG(w, v, diffuse) * cosine);
-    const uint bits = mask_bits(lit & (phong > 0.0f));
+    const mask tested = lit & (phong > 0.0f);
+    const uint bits = mask_bits(tested);
     if (!bits) return (real)(0.0f);
-    *rays += popcount(bits);
+    *rays += choose(tested, (natural)(1u), (natural)(0u));
     const real3 origin = tree_exit(v, s.direction);
     const mask finite = s.distance < SOURCE_INFINITY;
     const real3 to = sub3(s.target, origin);
@@ -145,7 +146,7 @@ INLINE real sample_light(SceneView view, WhittedView w, TreeVertex v, SourceSamp
 // The mean over the samples of a source, times its strength.
 INLINE real3 source_light(SceneView view, WhittedView w, TreeVertex v,
                           __global const SourceRecord* source, real2 offset, mask lanes,
-                          uint* rays) {
+                          natural* rays) {
     const uint side = source->samples;
     const float step = 1.0f / (float)side;
     real sum = (real)(0.0f);
@@ -158,9 +159,9 @@ INLINE real3 source_light(SceneView view, WhittedView w, TreeVertex v,
     return scale3(uniform3(source->strength), sum / (float)(side * side));
 }
 
-// Emission and direct light; `rays` counts the shadow rays.
+// Emission and direct light; `rays` counts the shadow rays of each lane.
 INLINE real3 surface_light(SceneView view, WhittedView w, TreeVertex v, natural sample, mask lanes,
-                           uint* rays) {
+                           natural* rays) {
     const real3 color = phong_color(view, w, v);
     const real2 offset = sample_offset(sample);
     real3 direct = scale3(mul3(color, uniform3(w.settings->ambient)), PHONG(w, v, ambient));
@@ -180,7 +181,7 @@ INLINE real3 tree_background(SceneView view, WhittedView w, real3 direction) {
 
 // The colour of the node itself, without its children.
 OUTLINED real3 tree_color(SceneView view, WhittedView w, TreeVertex v, natural sample, mask lanes,
-                          uint* rays) {
+                          natural* rays) {
     real3 color = zero3();
     const mask missed = lanes & v.alive & !v.found, lit = lanes & v.alive & v.found;
     if_any(missed)

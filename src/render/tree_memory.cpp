@@ -22,7 +22,7 @@ struct Sizes {
         stride = items * capacity + LANE_PADDING;
         nodes = stored ? size_t(stride) * NODE_LANES : 1;
         const bool staged = stored && s.launch == gpu::Launch::staged;
-        levels = staged ? size_t(items) * (options.depth + 1) * LEVEL_WORDS : 1;
+        levels = staged ? size_t(items) * (level_capacity(options.depth) + 1) * LEVEL_WORDS : 1;
     }
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace onde {
@@ -113,10 +114,14 @@ SourceRecord pack_area_light(const AreaLight& light) {
 
 } // namespace
 
+uint32_t level_capacity(uint32_t depth) {
+    return std::min(std::bit_ceil(std::max(depth, 16u)), uint32_t(MAX_TREE_DEPTH));
+}
+
 std::vector<std::string> PackedWhitted::defines() const {
     return {fmt::format("ONDE_TRANSLUCENT={:d}", translucent),
             fmt::format("ONDE_DISPERSION={:d}", dispersive),
-            fmt::format("ONDE_TREE_DEPTH={}", depth)};
+            fmt::format("ONDE_TREE_DEPTH={}", level_capacity(depth))};
 }
 
 PackedWhitted pack_whitted(const Scene& scene, uint32_t depth) {

@@ -12,7 +12,7 @@ namespace {
 constexpr size_t COUNT = 1 << 16;
 
 Probe& probe() {
-    static Probe built("basics.cl", 1, {"math", "basis"});
+    static Probe built("basics.cl", 1, {"math", "powers", "basis"});
     return built;
 }
 
@@ -34,6 +34,39 @@ TEST_CASE("sine and cosine of turns are within 3e-7") {
               out[0], [&](size_t i) { return std::sin(angle(i)); }, 3e-7) == "");
     CHECK(worst_difference(
               out[1], [&](size_t i) { return std::cos(angle(i)); }, 3e-7) == "");
+}
+
+TEST_CASE("logarithms and powers of two are within the bounds that they state") {
+    Generator generator(4);
+    Columns in{{}, uniform_column(generator, COUNT, -126, 127), {}, {}};
+    for (size_t i = 0; i < COUNT; i++) {
+        // Half of them close to 1, where only the relative error says anything.
+        const double spread = i % 2 ? 60 : 1e-3;
+        in[0].push_back(float(std::exp2(spread * (2 * double(unit(generator)) - 1))));
+        in[2].push_back(i % 2 ? unit(generator) : 1 - 1e-3f * unit(generator));
+        in[3].push_back(1000 * unit(generator));
+    }
+    const Columns out = probe().run("powers", in, 3);
+    const auto log_error = [&](size_t i) {
+        const double wanted = std::log2(double(in[0][i]));
+        return std::abs(out[0][i] - wanted) / std::max(1.0, std::abs(wanted));
+    };
+    CHECK(worst_item(COUNT, 2e-7, log_error, [&](size_t i) {
+              return fmt::format("log2 {}: {}", in[0][i], out[0][i]);
+          }) == "");
+    const auto exp_error = [&](size_t i) {
+        return std::abs(out[1][i] / std::exp2(double(in[1][i])) - 1);
+    };
+    CHECK(worst_item(COUNT, 3e-7, exp_error,
+                     [&](size_t i) { return fmt::format("2^{}: {}", in[1][i], out[1][i]); }) == "");
+    CHECK(worst_difference(
+              out[2], [&](size_t i) { return std::pow(double(in[2][i]), double(in[3][i])); },
+              2e-6) == "");
+}
+
+TEST_CASE("zero to the zero is one, to anything else zero, and one to anything one") {
+    const Columns in{{1, 1, 1}, {0, 0, 0}, {0, 0, 1}, {0, 3, 1e6f}};
+    CHECK(probe().run("powers", in, 3)[2] == std::vector<float>{1, 0, 1});
 }
 
 TEST_CASE("the angle in turns is within 1e-6, all the way around") {

@@ -51,18 +51,32 @@ inline SceneFeatures all_features() {
             .stack_size = 192};
 }
 
+inline Picture take_picture(Integrator& integrator, const RenderOptions& options) {
+    const std::atomic<bool> never{false};
+    Picture picture;
+    picture.outcome = render(integrator, options, never, [](const Progress&) {});
+    picture.image = integrator.film().develop(device());
+    picture.rays = integrator.ray_counts();
+    picture.invalid = integrator.film().find_invalid(device());
+    return picture;
+}
+
+/// By the path tracer, whatever the options say.
 inline Picture render_packed(const DeviceScene& scene, const Camera& camera,
                              const RenderOptions& options) {
     const gpu::KernelSources sources = kernel_sources();
-    const auto integrator =
-        make_path_integrator(device(), sources, &test_cache(), scene, camera, options);
-    const std::atomic<bool> never{false};
-    Picture picture;
-    picture.outcome = render(*integrator, options, never, [](const Progress&) {});
-    picture.image = integrator->film().develop(device());
-    picture.rays = integrator->ray_counts();
-    picture.invalid = integrator->film().find_invalid(device());
-    return picture;
+    return take_picture(
+        *make_path_integrator(device(), sources, &test_cache(), scene, camera, options), options);
+}
+
+/// By the integrator that the options name. `placed` is `scene` on the device.
+inline Picture render_by(const Scene& scene, const DeviceScene& placed,
+                         const RenderOptions& options) {
+    const gpu::KernelSources sources = kernel_sources();
+    const Camera& camera = scene.cameras.at(options.camera);
+    return take_picture(*make_integrator({device(), sources, &test_cache(), &scene, placed, camera,
+                                          options, nullptr}),
+                        options);
 }
 
 /// A complete scene (see complete_scene) on the device, with kernels that can do everything.

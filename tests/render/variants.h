@@ -1,0 +1,61 @@
+// The ways in which an engine can be driven, all of which must make the same bits.
+#pragma once
+
+#include "render/options.h"
+
+#include "image/image.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace onde::test {
+
+struct Variant {
+    const char* name;
+    Engine engine;
+    gpu::Launch launch;
+    gpu::QueueKind queue;
+    uint32_t width;
+    bool packets;
+};
+
+inline constexpr Variant VARIANTS[] = {
+    {"fused, 16 lanes, packets", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local,
+     16, true},
+    {"fused, 16 lanes", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local, 16,
+     false},
+    {"fused, 8 lanes", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local, 8,
+     false},
+    {"fused, 1 lane", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local, 1, false},
+    {"staged, 16 lanes", Engine::wavefront, gpu::Launch::staged, gpu::QueueKind::chunk_local, 16,
+     false},
+    {"staged, global queue, 16 lanes", Engine::wavefront, gpu::Launch::staged,
+     gpu::QueueKind::global, 16, false},
+    {"staged, global queue, 1 lane", Engine::wavefront, gpu::Launch::staged, gpu::QueueKind::global,
+     1, false},
+    {"megakernel, 16 lanes", Engine::megakernel, gpu::Launch::fused, gpu::QueueKind::chunk_local,
+     16, false},
+    {"megakernel, 1 lane", Engine::megakernel, gpu::Launch::fused, gpu::QueueKind::chunk_local, 1,
+     false},
+};
+
+inline RenderOptions apply(RenderOptions options, const Variant& variant) {
+    options.engine = variant.engine;
+    options.settings.launch = variant.launch;
+    options.settings.queue = variant.queue;
+    options.settings.width = variant.width;
+    options.settings.primary_packets = variant.packets;
+    return options;
+}
+
+/// The first value that differs, in words; empty when none does.
+inline std::string first_difference(const Image& a, const Image& b) {
+    for (size_t i = 0; i < a.pixels.size(); i++)
+        if (a.pixels[i] != b.pixels[i])
+            return fmt::format("pixel {},{} channel {}: {} and {}", i / 3 % a.width,
+                               i / 3 / a.width, i % 3, a.pixels[i], b.pixels[i]);
+    return {};
+}
+
+} // namespace onde::test

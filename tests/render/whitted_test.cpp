@@ -1,0 +1,69 @@
+// The Whitted integrator's engines are different ways to the same bits, and no ray is ever lost.
+#include "render/picture.h"
+#include "render/variants.h"
+#include "shared/whitted.h"
+
+namespace onde::test {
+namespace {
+
+Scene mirrors_and_glass() {
+    return load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/chapter/five-objects.toml");
+}
+
+RenderOptions whitted_options(const Scene& scene, uint32_t samples) {
+    RenderOptions options = small_options(40, 28, samples);
+    options.integrator = IntegratorKind::whitted;
+    options.depth = std::min(scene.settings.depth.value_or(options.depth), uint32_t(12));
+    return options;
+}
+
+} // namespace
+
+TEST_CASE("every engine, width and launch makes the same ray trees of every scene") {
+    for (const auto& path : project_scenes()) {
+        const Scene scene = load_scene(path);
+        const DeviceScene placed = place_on_device(scene);
+        const RenderOptions options = whitted_options(scene, 2);
+        const Picture expected = render_by(scene, placed, apply(options, VARIANTS[0]));
+        for (const Variant& variant : VARIANTS) {
+            if (variant.queue == gpu::QueueKind::global) continue; // trees know only chunks
+            INFO(path.filename().string() << ", " << variant.name);
+            const Picture picture = render_by(scene, placed, apply(options, variant));
+            CHECK(first_difference(expected.image, picture.image) == "");
+            CHECK(expected.rays.extension == picture.rays.extension);
+            CHECK(expected.rays.shadow == picture.rays.shadow);
+            CHECK(picture.invalid.count == 0);
+        }
+    }
+}
+
+TEST_CASE("trees that overflow their memory are cut into smaller waves, and no ray is lost") {
+    const Scene scene = mirrors_and_glass();
+    const DeviceScene placed = place_on_device(scene);
+    RenderOptions options = whitted_options(scene, 4);
+    options.tree_slots = 256;
+    const Picture expected = render_by(scene, placed, options);
+    REQUIRE(expected.rays.extension.size() >= 6); // deep trees, or nothing is tested
+    for (const auto launch : {gpu::Launch::fused, gpu::Launch::staged})
+        for (const uint32_t slots : {1, 3, 16})
+            for (const uint32_t chunk : {16u, 256u}) {
+                INFO(slots << " slots a path, " << chunk << " paths a work item");
+                options.settings.launch = launch;
+                options.settings.chunk = chunk;
+                options.tree_slots = slots;
+                const Picture picture = render_by(scene, placed, options);
+                CHECK(first_difference(expected.image, picture.image) == "");
+                CHECK(expected.rays.extension == picture.rays.extension);
+                CHECK(expected.rays.shadow == picture.rays.shadow);
+            }
+}
+
+TEST_CASE("a deeper tree than there is memory for levels is refused") {
+    const Scene scene = mirrors_and_glass();
+    RenderOptions options = whitted_options(scene, 1);
+    options.depth = MAX_TREE_DEPTH + 1;
+    CHECK_THROWS_WITH(render_by(scene, place_on_device(scene), options),
+                      Catch::Contains("depth of --integrator whitted"));
+}
+
+} // namespace onde::test

@@ -26,12 +26,13 @@ KERNEL_ARROWS = {
     "lib": {"shared"},
     "path": {"shared", "lib"},
     "whitted": {"shared", "lib"},
+    "light_tracing": {"shared", "lib"},
     "film": {"shared", "lib"},
-    "wavefront": {"shared", "lib", "path", "whitted", "film"},
-    "megakernel": {"shared", "lib", "path", "whitted", "film"},
+    "wavefront": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
+    "megakernel": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
     "raster": {"shared", "lib", "film"},
-    "bench": {"shared", "lib", "path", "whitted", "film"},
-    "probe": {"shared", "lib", "path", "whitted", "film"},
+    "bench": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
+    "probe": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
 }
 
 # System headers that only some places may see: pattern, who may, why.

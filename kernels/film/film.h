@@ -27,11 +27,10 @@ INLINE void film_reject(FilmView film, uint pixel, uint sample) {
 // Adds one sample. The samples of a pixel lie next to each other in a wave, in ascending order, and
 // one work item adds them one by one: no split of the work changes a bit of the sum.
 INLINE void film_add(FilmView film, WaveJob job, uint path, float4 radiance) {
-    const uint pixel = job.pixel_order[(path >> job.log2_samples) + job.first_pixel];
-    const uint sample = (path & ((1u << job.log2_samples) - 1u)) + job.first_sample;
+    const uint pixel = path_pixel(job, path);
     const float sum = radiance.x + radiance.y + radiance.z;
     if (!(fabs(sum) < MAXFLOAT)) {
-        film_reject(film, pixel, sample);
+        film_reject(film, pixel, path_sample(job, path));
         return;
     }
     film.sums[(size_t)(pixel >> 16) * film.width + (pixel & 0xffffu)] +=

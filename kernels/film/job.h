@@ -34,6 +34,14 @@ INLINE natural job_sample(WaveJob job, natural path) {
     return (path & ((1u << job.log2_samples) - 1u)) + job.first_sample;
 }
 
+// The same of one path.
+INLINE uint path_pixel(WaveJob job, uint path) {
+    return job.pixel_order[(path >> job.log2_samples) + job.first_pixel];
+}
+INLINE uint path_sample(WaveJob job, uint path) {
+    return (path & ((1u << job.log2_samples) - 1u)) + job.first_sample;
+}
+
 typedef struct {
     uint begin, end;
 } Range;

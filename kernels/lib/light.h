@@ -27,6 +27,22 @@ INLINE natural choose_light(SceneView view, real u) {
     return choose(stays, i, RECORD_NATURAL(view.lights, i, LightRecord, alias));
 }
 
+// The texture coordinates of a point of a triangle light, by the weights of corners 1 and 2.
+INLINE real2 triangle_light_uv(SceneView view, natural light, real2 b) {
+    real2 uv = make2((real)(0.0f), (real)(0.0f));
+#if ONDE_TEXTURES
+    const natural surface = RECORD_NATURAL(view.lights, light, LightRecord, surface);
+    const real w = 1.0f - b.x - b.y;
+    uv.x = fma(RECORD(view.surfaces, surface, SurfaceRecord, uv[0]), w,
+               fma(RECORD(view.surfaces, surface, SurfaceRecord, uv[2]), b.x,
+                   RECORD(view.surfaces, surface, SurfaceRecord, uv[4]) * b.y));
+    uv.y = fma(RECORD(view.surfaces, surface, SurfaceRecord, uv[1]), w,
+               fma(RECORD(view.surfaces, surface, SurfaceRecord, uv[3]), b.x,
+                   RECORD(view.surfaces, surface, SurfaceRecord, uv[5]) * b.y));
+#endif
+    return uv;
+}
+
 INLINE LightSample sample_triangle_light(SceneView view, natural light, real3 from, real2 u) {
     const real2 b = sample_triangle(u);
     const real3 e1 = RECORD3(view.lights, light, LightRecord, edge1);
@@ -40,18 +56,7 @@ INLINE LightSample sample_triangle_light(SceneView view, natural light, real3 fr
     const real orientation = RECORD(view.lights, light, LightRecord, orientation);
     const real facing = -dot3(normalize3(cross3(e1, e2)), s.direction) * orientation;
     const natural material = RECORD_NATURAL(view.lights, light, LightRecord, material);
-    real2 uv = make2((real)(0.0f), (real)(0.0f));
-#if ONDE_TEXTURES
-    const natural surface = RECORD_NATURAL(view.lights, light, LightRecord, surface);
-    const real w = 1.0f - b.x - b.y;
-    uv.x = fma(RECORD(view.surfaces, surface, SurfaceRecord, uv[0]), w,
-               fma(RECORD(view.surfaces, surface, SurfaceRecord, uv[2]), b.x,
-                   RECORD(view.surfaces, surface, SurfaceRecord, uv[4]) * b.y));
-    uv.y = fma(RECORD(view.surfaces, surface, SurfaceRecord, uv[1]), w,
-               fma(RECORD(view.surfaces, surface, SurfaceRecord, uv[3]), b.x,
-                   RECORD(view.surfaces, surface, SurfaceRecord, uv[5]) * b.y));
-#endif
-    s.radiance = material_emission(view, material, uv);
+    s.radiance = material_emission(view, material, triangle_light_uv(view, light, b));
     const real cosine = fabs(facing);
     s.pdf = distance2 /
             max_real(cosine * RECORD(view.lights, light, LightRecord, area), (real)(1e-30f));

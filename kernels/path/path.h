@@ -6,6 +6,7 @@
 
 #include "lib/camera.h"
 #include "lib/light.h"
+#include "lib/vertex.h"
 
 // A ray in flight and what it has gathered.
 typedef struct {
@@ -56,29 +57,6 @@ INLINE real3 path_emission(SceneView view, Path path, real t, Surface s, mask la
     return choose(emits, mul3(path.throughput, scale3(radiance, weight)), zero3());
 }
 
-// The geometry of a vertex, shared by what happens there.
-typedef struct {
-    Surface surface;
-    Basis basis;
-    real3 wo; // local, above
-    real t;   // of the ray that came here, for the offset rule
-    Bsdf bsdf;
-} Vertex;
-
-// Where a ray leaves the vertex in world direction d.
-INLINE real3 vertex_exit(Vertex v, real3 d) {
-    const real3 side = choose(dot3(d, v.surface.geometric) > 0.0f, v.surface.geometric,
-                              negate3(v.surface.geometric));
-    return offset_origin(v.surface.position, side, v.t);
-}
-
-// Opaque surfaces let no light through, whatever their shading normals say; glass must have
-// reflection and refraction on the true sides too.
-INLINE mask true_side(Vertex v, real3 wi, real3 world) {
-    const real outward = dot3(world, v.surface.geometric);
-    return choose(wi.z > 0.0f, outward > 0.0f, (outward < 0.0f) & v.bsdf.dielectric);
-}
-
 INLINE ShadowRay path_shadow_ray(SceneView view, Path path, Vertex v, Sampler sampler, uint bounce,
                                  real choice, mask lanes) {
     const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT));
@@ -104,7 +82,7 @@ INLINE ShadowRay path_shadow_ray(SceneView view, Path path, Vertex v, Sampler sa
 
 // Ends paths that carry little; the survivors carry more.
 INLINE mask path_roulette(Path* path, Sampler sampler, uint bounce, mask lanes) {
-    const real survival = clamp_real(max_component3(path->throughput), 0.05f, 0.95f);
+    const real survival = roulette_survival(path->throughput);
     const real u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_ROULETTE)).x;
     path->throughput = scale3(path->throughput, 1.0f / survival);
     return lanes & (u < survival);

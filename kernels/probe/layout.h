@@ -5,10 +5,16 @@
 
 #include "shared/bvh.h"
 #include "shared/frame.h"
+#include "shared/light_tracing.h"
 #include "shared/scene.h"
 #include "shared/whitted.h"
 
 #define SHARED_LAYOUT(SIZE, OFFSET)                                                                \
+    SIZE(LightTracingRecord)                                                                       \
+    OFFSET(LightTracingRecord, center)                                                             \
+    OFFSET(LightTracingRecord, radius)                                                             \
+    OFFSET(LightTracingRecord, splat_scale)                                                        \
+    OFFSET(LightTracingRecord, unused)                                                             \
     SIZE(BvhNode)                                                                                  \
     OFFSET(BvhNode, low_x)                                                                         \
     OFFSET(BvhNode, high_x)                                                                        \

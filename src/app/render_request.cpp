@@ -20,7 +20,8 @@ const std::map<std::string, Engine> ENGINES{{"wavefront", Engine::wavefront},
                                             {"megakernel", Engine::megakernel}};
 // A line here makes an integrator reachable.
 const std::map<std::string, IntegratorKind> INTEGRATORS{{"path", IntegratorKind::path},
-                                                        {"whitted", IntegratorKind::whitted}};
+                                                        {"whitted", IntegratorKind::whitted},
+                                                        {"light", IntegratorKind::light}};
 const std::map<std::string, gpu::Launch> LAUNCHES{{"staged", gpu::Launch::staged},
                                                   {"fused", gpu::Launch::fused}};
 const std::map<std::string, gpu::QueueKind> QUEUES{{"chunk-local", gpu::QueueKind::chunk_local},

@@ -15,6 +15,8 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
         return make_wave_integrator(context, [&](const EngineContext& engine) {
             return make_whitted_engine(engine, *context.description);
         });
+    case IntegratorKind::light:
+        return make_light_integrator(context);
     default:
         throw InputError("this integrator is not built yet; use --integrator path");
     }

@@ -38,12 +38,15 @@ struct IntegratorContext {
     const gpu::Device& device;
     const gpu::KernelSources& sources;
     const gpu::ProgramCache* cache; ///< null: kernels are compiled anew
-    const Scene* description;       ///< what Whitted and the rasterisers read; else it may be null
+    const Scene* description;       ///< for all but path tracing, where it may be null
     const DeviceScene& scene;       ///< of the same description
     const Camera& camera;
     const RenderOptions& options;
     gpu::Profiler* profiler = nullptr; ///< null: launches are not timed
 };
+
+/// Ray statistics from a table of counters by [row * COUNTER_BOUNCES + bounce].
+RayCounts ray_counts_of(const std::vector<uint64_t>& counters);
 
 /// The integrator that the options name.
 std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context);
@@ -53,5 +56,8 @@ std::unique_ptr<Integrator>
 make_path_integrator(const gpu::Device& device, const gpu::KernelSources& sources,
                      const gpu::ProgramCache* cache, const DeviceScene& scene, const Camera& camera,
                      const RenderOptions& options, gpu::Profiler* profiler = nullptr);
+
+/// The light tracer (see render/light_integrator.h).
+std::unique_ptr<Integrator> make_light_integrator(const IntegratorContext& context);
 
 } // namespace onde

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "render/tree_memory.h"
 #include "render/wave_memory.h"
+#include "shared/light_tracing.h"
 
 namespace onde {
 namespace {
@@ -23,7 +24,9 @@ MemoryPlan plan_memory(const RenderOptions& options) {
     MemoryPlan plan;
     plan.film = {{"film sums", pixels * sizeof(cl_float4)},
                  {"pixel order", pixels * sizeof(uint32_t)}};
-    if (options.integrator == IntegratorKind::whitted)
+    if (options.integrator == IntegratorKind::light)
+        plan.film.push_back({"splats", pixels * SPLAT_WORDS * sizeof(uint32_t)});
+    else if (options.integrator == IntegratorKind::whitted)
         plan.paths = TreeMemory::plan(options);
     else if (options.engine == Engine::wavefront)
         plan.paths = WaveMemory::plan(options.settings);

@@ -11,6 +11,17 @@ uint64_t RayCounts::total() const {
            std::accumulate(shadow.begin(), shadow.end(), uint64_t(0));
 }
 
+static std::vector<uint64_t> counter_row(const std::vector<uint64_t>& table, uint32_t index) {
+    const auto begin = table.begin() + index * COUNTER_BOUNCES;
+    std::vector<uint64_t> counts(begin, begin + COUNTER_BOUNCES);
+    while (!counts.empty() && counts.back() == 0) counts.pop_back();
+    return counts;
+}
+
+RayCounts ray_counts_of(const std::vector<uint64_t>& counters) {
+    return {counter_row(counters, COUNTER_EXTENSION), counter_row(counters, COUNTER_SHADOW)};
+}
+
 namespace {
 
 class WaveIntegrator : public Integrator {
@@ -42,22 +53,12 @@ class WaveIntegrator : public Integrator {
     const gpu::BuildReport& build_report() const override { return engine_->build_report(); }
     uint64_t state_bytes() const override { return engine_->state_bytes(); }
 
-    RayCounts ray_counts() const override {
-        const std::vector<uint64_t> table = engine_->counters();
-        return {row(table, COUNTER_EXTENSION), row(table, COUNTER_SHADOW)};
-    }
+    RayCounts ray_counts() const override { return ray_counts_of(engine_->counters()); }
 
   private:
     static const RenderOptions& checked(const RenderOptions& options) {
         check_options(options);
         return options;
-    }
-
-    static std::vector<uint64_t> row(const std::vector<uint64_t>& table, uint32_t index) {
-        const auto begin = table.begin() + index * COUNTER_BOUNCES;
-        std::vector<uint64_t> counts(begin, begin + COUNTER_BOUNCES);
-        while (!counts.empty() && counts.back() == 0) counts.pop_back();
-        return counts;
     }
 
     const gpu::Device& device_;

@@ -1,0 +1,127 @@
+#include "render/light_integrator.h"
+
+#include "core/error.h"
+#include "render/light_tracing_setup.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace onde {
+namespace {
+
+EngineContext engine_context(const IntegratorContext& c, const Film& film) {
+    return {c.device, c.sources, c.cache, c.scene, film, c.camera, c.options, c.profiler};
+}
+
+const IntegratorContext& checked(const IntegratorContext& context) {
+    check_options(context.options);
+    if (context.scene.packed().lights.empty())
+        throw InputError("--integrator light starts at the lights, but nothing in the scene emits");
+    return context;
+}
+
+uint64_t row_sum(const std::vector<uint64_t>& row) {
+    uint64_t sum = 0;
+    for (uint64_t count : row) sum += count;
+    return sum;
+}
+
+double percent(uint64_t part, uint64_t whole) {
+    return whole > 0 ? 100.0 * double(part) / double(whole) : 0.0;
+}
+
+} // namespace
+
+LightIntegrator::LightIntegrator(const IntegratorContext& context)
+    : device_(checked(context).device), options_(context.options), profiler_(context.profiler),
+      has_mirrors_(has_smooth_lobes(*context.description)),
+      film_(device_, options_.width, options_.height),
+      splats_(device_, size_t(options_.width) * options_.height * SPLAT_WORDS),
+      statistics_(device_, 2 * LIGHT_STATISTICS), setup_(device_, 1),
+      arguments_(engine_context(context, film_)),
+      program_(build_engine(engine_context(context, film_), "megakernel/light_tracing.cl",
+                            {"light_tracing", "resolve"})) {
+    const LightTracingRecord setup = make_light_tracing(context.description, options_);
+    splat_scale_ = setup.splat_scale;
+    setup_.write(device_, std::span(&setup, 1));
+    splats_.fill(device_, 0u);
+    statistics_.fill(device_, 0u);
+    gpu::Kernel& kernel = program_.kernel("light_tracing");
+    kernel.set_from(arguments_.bind(kernel), setup_, splats_, statistics_);
+}
+
+void LightIntegrator::render_pass(uint32_t first, uint32_t count,
+                                  const std::function<bool(double)>& keep_going) {
+    const uint32_t pixels = options_.width * options_.height;
+    const uint32_t pixels_per_wave = options_.settings.wave_size / count;
+    for (uint32_t begin = 0; begin < pixels; begin += pixels_per_wave) {
+        const uint32_t end = std::min(begin + pixels_per_wave, pixels);
+        trace_wave({begin, end - begin, first, count});
+        device_.finish();
+        if (!keep_going(double(end) / pixels)) break;
+    }
+    resolve();
+}
+
+void LightIntegrator::trace_wave(const Wave& wave) {
+    const uint32_t chunk = options_.settings.chunk;
+    gpu::Kernel& kernel = program_.kernel("light_tracing");
+    arguments_.set_wave(kernel, wave, chunk);
+    kernel.launch((wave.paths() + chunk - 1) / chunk, profiler_);
+    arguments_.tally(program_, profiler_);
+    emitted_ += wave.paths();
+}
+
+void LightIntegrator::resolve() {
+    const uint32_t pixels = options_.width * options_.height, chunk = options_.settings.chunk;
+    const float scale = 1.0f / (splat_scale_ * float(pixels));
+    gpu::Kernel& kernel = program_.kernel("resolve");
+    kernel.set_from(0, pixels, chunk, splats_, film_.sums(), scale,
+                    float(double(emitted_) / pixels));
+    kernel.launch((pixels + chunk - 1) / chunk, profiler_);
+    device_.finish();
+    if (statistics()[LIGHT_OVERFLOW] > 0)
+        throw InputError("the light of a pixel ran over what its sum can hold; use fewer --spp");
+}
+
+uint32_t LightIntegrator::max_samples() const {
+    const gpu::DeviceSettings& settings = options_.settings;
+    return std::bit_floor(
+        std::min({options_.samples_in_flight, settings.chunk, settings.wave_size}));
+}
+
+RayCounts LightIntegrator::ray_counts() const {
+    return ray_counts_of(arguments_.counters());
+}
+
+std::vector<uint64_t> LightIntegrator::statistics() const {
+    const std::vector<uint32_t> words = statistics_.read(device_);
+    std::vector<uint64_t> sums(LIGHT_STATISTICS);
+    for (size_t i = 0; i < sums.size(); i++)
+        sums[i] = uint64_t(words[2 * i + 1]) << 32 | words[2 * i];
+    return sums;
+}
+
+LightCounts LightIntegrator::counts() const {
+    const std::vector<uint64_t> sums = statistics();
+    return {emitted_, sums[LIGHT_CONTRIBUTED], row_sum(ray_counts().shadow), sums[LIGHT_UNBLOCKED]};
+}
+
+std::vector<std::string> LightIntegrator::findings() const {
+    const LightCounts c = counts();
+    std::vector<std::string> sentences{
+        fmt::format("{:.3g}% of the {} emitted rays contributed to the picture",
+                    percent(c.contributed, c.emitted), c.emitted),
+        fmt::format("{:.3g}% of the {} connections to the camera were blocked",
+                    percent(c.connections - c.unblocked, c.connections), c.connections)};
+    if (has_mirrors_)
+        sentences.push_back("light tracing draws smooth mirrors and smooth glass black: what they "
+                            "show, no vertex can send to the camera");
+    return sentences;
+}
+
+std::unique_ptr<Integrator> make_light_integrator(const IntegratorContext& context) {
+    return std::make_unique<LightIntegrator>(context);
+}
+
+} // namespace onde

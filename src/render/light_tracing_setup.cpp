@@ -1,0 +1,57 @@
+#include "render/light_tracing_setup.h"
+
+#include "scene/load.h"
+#include "scene/phong.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onde {
+namespace {
+
+constexpr float SMOOTH_ALPHA = 1e-3f; // as in kernels/lib/microfacet.h
+
+/// Beside the brightest light, since a point light's own number is no radiance, and light gathers.
+constexpr double HEADROOM = 1024;
+
+float largest(glm::vec3 v) {
+    return std::max({v.x, v.y, v.z});
+}
+
+double brightest_light(const Scene& scene) {
+    float brightest = 1e-30f;
+    for (const Material& material : scene.materials)
+        brightest = std::max(brightest, largest(material.emission));
+    for (const PointLight& light : scene.point_lights)
+        brightest = std::max(brightest, largest(light.intensity));
+    for (const DirectionalLight& light : scene.directional_lights)
+        brightest = std::max(brightest, largest(light.irradiance));
+    float pixel = 1;
+    if (const auto& map = scene.environment.map; map && !map->pixels.empty())
+        pixel = *std::ranges::max_element(map->pixels);
+    return std::max(brightest, largest(scene.environment.radiance) * pixel);
+}
+
+} // namespace
+
+LightTracingRecord make_light_tracing(const Scene& scene, const RenderOptions& options) {
+    const SceneBounds bounds = scene_bounds(scene);
+    const glm::vec3 center = 0.5f * (bounds.low + bounds.high);
+    LightTracingRecord record{};
+    for (uint32_t k = 0; k < 3; k++) record.center[k] = center[glm::length_t(k)];
+    record.radius = std::max(0.5f * glm::length(bounds.high - bounds.low) * 1.001f, 1e-6f);
+    const double paths = double(options.samples) * options.width * options.height;
+    const double most = paths * brightest_light(scene) * HEADROOM;
+    record.splat_scale = std::ldexp(1.0f, std::clamp(64 - std::ilogb(most) - 1, -100, 100));
+    return record;
+}
+
+bool has_smooth_lobes(const Scene& scene) {
+    return std::ranges::any_of(scene.materials, [](const Material& given) {
+        const Material material = path_material(given);
+        return material.kind != MaterialKind::diffuse &&
+               material.roughness * material.roughness < SMOOTH_ALPHA;
+    });
+}
+
+} // namespace onde

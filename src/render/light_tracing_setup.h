@@ -1,0 +1,17 @@
+// What light tracing needs to know of a scene before it starts.
+#pragma once
+
+#include "render/options.h"
+#include "shared/light_tracing.h"
+
+namespace onde {
+
+/// A sphere around the scene, and the fixed point of splats: the power of two that leaves room in
+/// 64 bits for a pixel a thousand times as bright as the brightest light. Splats are in film area:
+/// the sum of a pixel is its radiance times the number of all paths.
+LightTracingRecord make_light_tracing(const Scene& scene, const RenderOptions& options);
+
+/// Whether some surface is a smooth mirror or smooth glass, which no connection can see.
+bool has_smooth_lobes(const Scene& scene);
+
+} // namespace onde

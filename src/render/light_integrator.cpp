@@ -41,7 +41,7 @@ LightIntegrator::LightIntegrator(const IntegratorContext& context)
       arguments_(engine_context(context, film_)),
       program_(build_engine(engine_context(context, film_), "megakernel/light_tracing.cl",
                             {"light_tracing", "resolve"})) {
-    const LightTracingRecord setup = make_light_tracing(context.description, options_);
+    const LightTracingRecord setup = make_light_tracing(*context.description, options_);
     splat_scale_ = setup.splat_scale;
     setup_.write(device_, std::span(&setup, 1));
     splats_.fill(device_, 0u);

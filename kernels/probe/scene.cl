@@ -1,5 +1,5 @@
 // Probes of what reads the scene: textures, environment, lights, camera.
-#include "lib/camera.h"
+#include "lib/camera_link.h"
 #include "lib/light.h"
 #include "lib/trace.h"
 #include "probe/probe.h"
@@ -82,4 +82,21 @@ SCENE_PROBE(camera) {
 // In: uniform number. Out: offset.
 SCENE_PROBE(filter) {
     output(items, 0, filter_offset(view.frame, input(items, 0)));
+}
+
+// In: position (3), u of the lens (2). Out: direction (3), film coordinates (2), importance, valid.
+SCENE_PROBE(camera_link) {
+    const CameraLink link = camera_link(view.frame, input3(items, 0), input2(items, 3));
+    output(items, 0, link.direction);
+    output(items, 3, link.x);
+    output(items, 4, link.y);
+    output(items, 5, link.importance);
+    output_mask(items, 6, link.valid);
+}
+
+// In: film coordinate, uniform number. Out: chosen pixel along that axis, weight.
+SCENE_PROBE(choose_pixel) {
+    const FilterChoice choice = choose_pixel(view.frame, input(items, 0), input(items, 1));
+    output(items, 0, choice.pixel);
+    output(items, 1, choice.weight);
 }

@@ -97,6 +97,16 @@ TEST_CASE("light tracing expects the reference's Cornell box, but for the glass 
                         .masked = int(glass - scene.materials.begin())});
 }
 
+TEST_CASE("the light counts as a surface of the depth, as it does for paths from the camera") {
+    Scene scene = load("cornell.toml");
+    for (Material& material : scene.materials)
+        if (material.kind == MaterialKind::dielectric) material.kind = MaterialKind::diffuse;
+    for (uint32_t depth : {1u, 2u, 3u}) {
+        INFO("depth " << depth);
+        check_light(scene, {.depth = depth, .samples = 16});
+    }
+}
+
 TEST_CASE("light tracing expects the reference's picture of lights of all kinds") {
     check_light(load("lights.toml"), {.depth = 4, .samples = 256});
 }

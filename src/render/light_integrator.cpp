@@ -17,6 +17,11 @@ const IntegratorContext& checked(const IntegratorContext& context) {
     check_options(context.options);
     if (context.scene.packed().lights.empty())
         throw InputError("--integrator light starts at the lights, but nothing in the scene emits");
+    for (const LightRecord& light : context.scene.packed().lights)
+        if (light.kind > LIGHT_ENVIRONMENT)
+            throw InputError(
+                "--integrator light has no way yet to start at one of the scene's kinds "
+                "of light; use --integrator path");
     return context;
 }
 
@@ -35,11 +40,13 @@ double percent(uint64_t part, uint64_t whole) {
 LightIntegrator::LightIntegrator(const IntegratorContext& context)
     : device_(checked(context).device), options_(context.options), profiler_(context.profiler),
       has_mirrors_(has_smooth_lobes(*context.description)),
+      hidden_emitters_(count_hidden_emitters(context.scene.packed())),
       film_(device_, options_.width, options_.height),
       splats_(device_, size_t(options_.width) * options_.height * SPLAT_WORDS),
       statistics_(device_, 2 * LIGHT_STATISTICS), setup_(device_, 1),
+      state_(device_, light_state_size(options_.settings)),
       arguments_(engine_context(context, film_)),
-      program_(build_engine(engine_context(context, film_), "megakernel/light_tracing.cl",
+      program_(build_engine(engine_context(context, film_), "wavefront/light_tracing.cl",
                             {"light_tracing", "resolve"})) {
     const LightTracingRecord setup = make_light_tracing(*context.description, options_);
     splat_scale_ = setup.splat_scale;
@@ -47,7 +54,8 @@ LightIntegrator::LightIntegrator(const IntegratorContext& context)
     splats_.fill(device_, 0u);
     statistics_.fill(device_, 0u);
     gpu::Kernel& kernel = program_.kernel("light_tracing");
-    kernel.set_from(arguments_.bind(kernel), setup_, splats_, statistics_);
+    kernel.set_from(arguments_.bind(kernel), setup_, splats_, statistics_, state_,
+                    uint32_t(state_.size() / LIGHT_LANES));
 }
 
 void LightIntegrator::render_pass(uint32_t first, uint32_t count,
@@ -117,6 +125,11 @@ std::vector<std::string> LightIntegrator::findings() const {
     if (has_mirrors_)
         sentences.push_back("light tracing draws smooth mirrors and smooth glass black: what they "
                             "show, no vertex can send to the camera");
+    if (hidden_emitters_ > 0)
+        sentences.push_back(
+            fmt::format("{} glowing surfaces are none of the lights that rays start "
+                        "at; their light is missing",
+                        hidden_emitters_));
     return sentences;
 }
 

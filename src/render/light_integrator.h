@@ -26,7 +26,7 @@ class LightIntegrator : public Integrator {
     const Film& film() const override { return film_; }
     RayCounts ray_counts() const override;
     const gpu::BuildReport& build_report() const override { return program_.report(); }
-    uint64_t state_bytes() const override { return 0; }
+    uint64_t state_bytes() const override { return state_.size() * sizeof(float); }
     std::vector<std::string> findings() const override;
 
     LightCounts counts() const;
@@ -40,9 +40,11 @@ class LightIntegrator : public Integrator {
     RenderOptions options_;
     gpu::Profiler* profiler_;
     bool has_mirrors_;
+    uint64_t hidden_emitters_;
     Film film_;
     gpu::Buffer<uint32_t> splats_, statistics_;
     gpu::Buffer<LightTracingRecord> setup_;
+    gpu::Buffer<float> state_;
     float splat_scale_;
     KernelArguments arguments_;
     gpu::Program program_;

@@ -11,6 +11,12 @@ namespace {
 
 constexpr float SMOOTH_ALPHA = 1e-3f; // as in kernels/lib/microfacet.h
 
+/// Of SurfaceRecord::material: without its flags.
+constexpr uint32_t MATERIAL_INDEX = 0x3fffffff;
+
+/// Groups at the end may be read whole, and lanes a power of two apart would share cache sets.
+constexpr uint32_t LANE_PADDING = 272;
+
 /// Beside the brightest light, since a point light's own number is no radiance, and light gathers.
 constexpr double HEADROOM = 1024;
 
@@ -44,6 +50,18 @@ LightTracingRecord make_light_tracing(const Scene& scene, const RenderOptions& o
     const double most = paths * brightest_light(scene) * HEADROOM;
     record.splat_scale = std::ldexp(1.0f, std::clamp(64 - std::ilogb(most) - 1, -100, 100));
     return record;
+}
+
+size_t light_state_size(const gpu::DeviceSettings& settings) {
+    return (size_t(settings.wave_size) + LANE_PADDING) * LIGHT_LANES;
+}
+
+uint64_t count_hidden_emitters(const PackedScene& scene) {
+    const auto hidden = [&](const SurfaceRecord& surface) {
+        return surface.light == LIGHT_UNLISTED &&
+               scene.materials[surface.material & MATERIAL_INDEX].emission_texture == NO_INDEX;
+    };
+    return uint64_t(std::ranges::count_if(scene.surfaces, hidden));
 }
 
 bool has_smooth_lobes(const Scene& scene) {

@@ -3,6 +3,7 @@
 
 #include "render/options.h"
 #include "shared/light_tracing.h"
+#include "upload/pack.h"
 
 namespace onde {
 
@@ -11,7 +12,14 @@ namespace onde {
 /// the sum of a pixel is its radiance times the number of all paths.
 LightTracingRecord make_light_tracing(const Scene& scene, const RenderOptions& options);
 
+/// Words of the paths in flight: LIGHT_LANES lanes of a wave each, padded.
+size_t light_state_size(const gpu::DeviceSettings& settings);
+
 /// Whether some surface is a smooth mirror or smooth glass, which no connection can see.
 bool has_smooth_lobes(const Scene& scene);
+
+/// Surfaces that glow but are no light that rays could start at; those whose emission texture may
+/// be black there are left out.
+uint64_t count_hidden_emitters(const PackedScene& scene);
 
 } // namespace onde

@@ -1,6 +1,7 @@
 #include "render/memory_plan.h"
 
 #include "core/error.h"
+#include "render/light_tracing_setup.h"
 #include "render/tree_memory.h"
 #include "render/wave_memory.h"
 #include "shared/light_tracing.h"
@@ -24,9 +25,10 @@ MemoryPlan plan_memory(const RenderOptions& options) {
     MemoryPlan plan;
     plan.film = {{"film sums", pixels * sizeof(cl_float4)},
                  {"pixel order", pixels * sizeof(uint32_t)}};
-    if (options.integrator == IntegratorKind::light)
+    if (options.integrator == IntegratorKind::light) {
         plan.film.push_back({"splats", pixels * SPLAT_WORDS * sizeof(uint32_t)});
-    else if (options.integrator == IntegratorKind::whitted)
+        plan.paths = {{"light paths", light_state_size(options.settings) * sizeof(float)}};
+    } else if (options.integrator == IntegratorKind::whitted)
         plan.paths = TreeMemory::plan(options);
     else if (options.engine == Engine::wavefront)
         plan.paths = WaveMemory::plan(options.settings);

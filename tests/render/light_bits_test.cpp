@@ -103,6 +103,29 @@ TEST_CASE("a scene in which nothing emits is refused in a sentence") {
     CHECK_THROWS_AS(trace_light(place_on_device(scene), scene, small_options(8, 8, 1)), InputError);
 }
 
+TEST_CASE("lights that rays can't start at are refused or reported, never silently dark") {
+    const Scene scene = lights_scene();
+    const RenderOptions options = small_options(8, 8, 1);
+    const gpu::KernelSources sources = kernel_sources();
+    const auto findings_of = [&](const PackedScene& packed) {
+        const DeviceScene placed(device(), packed);
+        const IntegratorContext context{device(), sources,          &test_cache(), &scene,
+                                        placed,   scene.cameras[0], options};
+        return LightIntegrator(context).findings();
+    };
+    PackedScene packed = pack_scene(scene);
+    packed.features = all_features();
+    const auto about_glow = [](const std::string& sentence) {
+        return sentence.find("glowing") != std::string::npos;
+    };
+    CHECK(std::ranges::none_of(findings_of(packed), about_glow));
+    for (SurfaceRecord& surface : packed.surfaces)
+        if (surface.light != NO_INDEX) surface.light = LIGHT_UNLISTED;
+    CHECK(std::ranges::any_of(findings_of(packed), about_glow));
+    packed.lights[0].kind = 99;
+    CHECK_THROWS_AS(findings_of(packed), InputError);
+}
+
 TEST_CASE("light tracing stopped between waves has the picture of the rays so far") {
     const Scene scene = lights_scene();
     const DeviceScene placed = place_on_device(scene);

@@ -31,6 +31,7 @@ KERNEL_ARROWS = {
     "wavefront": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
     "megakernel": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
     "raster": {"shared", "lib", "film"},
+    "inspect": {"shared", "lib", "path", "whitted", "film", "wavefront"},
     "bench": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
     "probe": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
 }

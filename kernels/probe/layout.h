@@ -5,6 +5,7 @@
 
 #include "shared/bvh.h"
 #include "shared/frame.h"
+#include "shared/inspect.h"
 #include "shared/light_tracing.h"
 #include "shared/scene.h"
 #include "shared/whitted.h"
@@ -142,6 +143,52 @@
     OFFSET(SourceRecord, edge2)                                                                    \
     OFFSET(SourceRecord, two_sided)                                                                \
     OFFSET(SourceRecord, strength)                                                                 \
-    OFFSET(SourceRecord, samples)
+    OFFSET(SourceRecord, samples)                                                                  \
+    SIZE(HitReport)                                                                                \
+    OFFSET(HitReport, origin)                                                                      \
+    OFFSET(HitReport, direction)                                                                   \
+    OFFSET(HitReport, t)                                                                           \
+    OFFSET(HitReport, primitive)                                                                   \
+    OFFSET(HitReport, instance)                                                                    \
+    OFFSET(HitReport, material)                                                                    \
+    OFFSET(HitReport, front)                                                                       \
+    OFFSET(HitReport, position)                                                                    \
+    OFFSET(HitReport, normal)                                                                      \
+    SIZE(NodeReport)                                                                               \
+    OFFSET(NodeReport, hit)                                                                        \
+    OFFSET(NodeReport, parent)                                                                     \
+    OFFSET(NodeReport, level)                                                                      \
+    OFFSET(NodeReport, kind)                                                                       \
+    OFFSET(NodeReport, alive)                                                                      \
+    OFFSET(NodeReport, factor)                                                                     \
+    OFFSET(NodeReport, product)                                                                    \
+    OFFSET(NodeReport, emission)                                                                   \
+    OFFSET(NodeReport, ambient)                                                                    \
+    OFFSET(NodeReport, own)                                                                        \
+    OFFSET(NodeReport, returned)                                                                   \
+    SIZE(SourceReport)                                                                             \
+    OFFSET(SourceReport, visible)                                                                  \
+    OFFSET(SourceReport, diffuse)                                                                  \
+    OFFSET(SourceReport, specular)                                                                 \
+    SIZE(BounceReport)                                                                             \
+    OFFSET(BounceReport, hit)                                                                      \
+    OFFSET(BounceReport, throughput)                                                               \
+    OFFSET(BounceReport, emitted)                                                                  \
+    OFFSET(BounceReport, light)                                                                    \
+    OFFSET(BounceReport, light_pdf)                                                                \
+    OFFSET(BounceReport, light_direction)                                                          \
+    OFFSET(BounceReport, light_distance)                                                           \
+    OFFSET(BounceReport, light_radiance)                                                           \
+    OFFSET(BounceReport, blocked)                                                                  \
+    OFFSET(BounceReport, diffuse)                                                                  \
+    OFFSET(BounceReport, f0)                                                                       \
+    OFFSET(BounceReport, alpha)                                                                    \
+    OFFSET(BounceReport, eta)                                                                      \
+    OFFSET(BounceReport, glossy)                                                                   \
+    OFFSET(BounceReport, dielectric)                                                               \
+    OFFSET(BounceReport, next_direction)                                                           \
+    OFFSET(BounceReport, next_pdf)                                                                 \
+    OFFSET(BounceReport, next_throughput)                                                          \
+    OFFSET(BounceReport, alive)
 
 #endif

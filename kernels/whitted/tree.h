@@ -120,27 +120,36 @@ INLINE real3 tree_exit(TreeVertex v, real3 d) {
     return offset_origin(v.surface.position, choose(dot3(d, n) > 0.0f, n, negate3(n)), v.t);
 }
 
-// What one sample of a source adds, as a factor of its strength times the object's colour.
-INLINE real sample_light(SceneView view, WhittedView w, TreeVertex v, SourceSample s, mask lanes,
-                         natural* rays) {
-    const real3 n = v.surface.normal;
-    const real cosine = dot3(n, s.direction);
-    const mask lit = lanes & s.lit & (cosine > 0.0f);
-    const real3 r = madd3(n, 2.0f * cosine, negate3(s.direction));
-    const real highlight =
-        power_unit(clamp_real(dot3(r, v.view), 0.0f, 1.0f), PHONG(w, v, exponent));
-    const real phong = fma(PHONG(w, v, specular), highlight, PHONG(w, v, diffuse) * cosine);
-    const mask tested = lit & (phong > 0.0f);
-    const uint bits = mask_bits(tested);
-    if (!bits) return (real)(0.0f);
-    *rays += choose(tested, (natural)(1u), (natural)(0u));
+// max(r.v, 0)^e, with r the mirror image of the direction to the sample; cosine: n.l.
+INLINE real sample_highlight(WhittedView w, TreeVertex v, SourceSample s, real cosine) {
+    const real3 r = madd3(v.surface.normal, 2.0f * cosine, negate3(s.direction));
+    return power_unit(clamp_real(dot3(r, v.view), 0.0f, 1.0f), PHONG(w, v, exponent));
+}
+
+// What arrives of a sample's light, for the lanes in `bits`.
+INLINE real sample_visibility(SceneView view, WhittedView w, TreeVertex v, SourceSample s,
+                              uint bits) {
     const real3 origin = tree_exit(v, s.direction);
     const mask finite = s.distance < SOURCE_INFINITY;
     const real3 to = sub3(s.target, origin);
     const real length = length3(to);
     const real3 direction = choose(finite, scale3(to, 1.0f / length), s.direction);
     const real distance = choose(finite, length * SHADOW_SHORTENING, (real)(SOURCE_INFINITY));
-    return phong * transmittance(view, w.phong, origin, direction, distance, bits);
+    return transmittance(view, w.phong, origin, direction, distance, bits);
+}
+
+// What one sample of a source adds, as a factor of its strength times the object's colour.
+INLINE real sample_light(SceneView view, WhittedView w, TreeVertex v, SourceSample s, mask lanes,
+                         natural* rays) {
+    const real cosine = dot3(v.surface.normal, s.direction);
+    const mask lit = lanes & s.lit & (cosine > 0.0f);
+    const real phong = fma(PHONG(w, v, specular), sample_highlight(w, v, s, cosine),
+                           PHONG(w, v, diffuse) * cosine);
+    const mask tested = lit & (phong > 0.0f);
+    const uint bits = mask_bits(tested);
+    if (!bits) return (real)(0.0f);
+    *rays += choose(tested, (natural)(1u), (natural)(0u));
+    return phong * sample_visibility(view, w, v, s, bits);
 }
 
 // The mean over the samples of a source, times its strength.
@@ -159,12 +168,16 @@ INLINE real3 source_light(SceneView view, WhittedView w, TreeVertex v,
     return scale3(uniform3(source->strength), sum / (float)(side * side));
 }
 
+INLINE real3 ambient_light(WhittedView w, TreeVertex v, real3 color) {
+    return scale3(mul3(color, uniform3(w.settings->ambient)), PHONG(w, v, ambient));
+}
+
 // Emission and direct light; `rays` counts the shadow rays of each lane.
 INLINE real3 surface_light(SceneView view, WhittedView w, TreeVertex v, natural sample, mask lanes,
                            natural* rays) {
     const real3 color = phong_color(view, w, v);
     const real2 offset = sample_offset(sample);
-    real3 direct = scale3(mul3(color, uniform3(w.settings->ambient)), PHONG(w, v, ambient));
+    real3 direct = ambient_light(w, v, color);
     for (uint i = 0; i < w.settings->source_count; i++) {
         const real3 light = source_light(view, w, v, w.sources + i, offset, lanes, rays);
         direct = add_light(w, direct, mul3(color, light));

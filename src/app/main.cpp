@@ -3,6 +3,7 @@
 #include "app/compare_command.h"
 #include "app/devices_command.h"
 #include "app/info_command.h"
+#include "app/inspect_command.h"
 #include "app/render_command.h"
 #include "app/usage_error.h"
 
@@ -33,6 +34,7 @@ int main(int argc, char** argv) try {
     bool interrupted = false;
     onde::app::add_render_command(app, interrupted);
     onde::app::add_info_command(app);
+    onde::app::add_inspect_command(app);
     onde::app::add_compare_command(app);
     onde::app::add_devices_command(app);
     onde::app::add_cache_command(app);

@@ -38,10 +38,7 @@ class StopOnInterrupt {
 };
 
 Scene load(const RenderRequest& request) {
-    Scene scene = load_scene(request.scene);
-    if (!request.environment.empty())
-        scene.environment =
-            load_environment(request.environment, glm::vec3(1.0f), request.environment_rotation);
+    Scene scene = load_requested_scene(request);
     for (const std::string& note : scene.notes) spdlog::info("{}", note);
     return scene;
 }

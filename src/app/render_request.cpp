@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "scene/load.h"
 
 #include <fmt/ranges.h>
 
@@ -68,18 +69,12 @@ uint32_t find_camera(const std::string& name, const Scene& scene) {
     throw InputError("--camera {}: no such camera; the scene has {}", name, fmt::join(names, ", "));
 }
 
-void declare_picture(CLI::App& command, RenderRequest& r) {
-    command
-        .add_option("-o,--output", r.outputs,
-                    "Picture to write, .png or .exr; may be given several times\n"
-                    "(SCENE.png in the current folder)")
-        ->type_name("FILE");
+void declare_view(CLI::App& command, RenderRequest& r) {
+    command.add_option("scene", r.scene, "Scene: .gltf, .glb, .obj or .toml")
+        ->required()
+        ->type_name("SCENE");
     command.add_option("--size", r.size, "Pixels, for example 640x480 (the scene's, else 800x600)")
         ->type_name("WxH");
-    command.add_option("--spp", r.samples, "Samples per pixel (the scene's, else 64)")
-        ->type_name("N");
-    command.add_option("--time", r.seconds, "Stop after about that many seconds")
-        ->type_name("SECONDS");
     command.add_option("--camera", r.camera, "Camera of the scene, by name or number (the first)");
     command
         .add_option("--environment", r.environment,
@@ -89,6 +84,18 @@ void declare_picture(CLI::App& command, RenderRequest& r) {
         .add_option("--environment-rotation", r.environment_rotation,
                     "Turn that picture, counter-clockwise seen from above")
         ->type_name("DEGREES");
+}
+
+void declare_picture(CLI::App& command, RenderRequest& r) {
+    command
+        .add_option("-o,--output", r.outputs,
+                    "Picture to write, .png or .exr; may be given several times\n"
+                    "(SCENE.png in the current folder)")
+        ->type_name("FILE");
+    command.add_option("--spp", r.samples, "Samples per pixel (the scene's, else 64)")
+        ->type_name("N");
+    command.add_option("--time", r.seconds, "Stop after about that many seconds")
+        ->type_name("SECONDS");
     command.add_option("--exposure", r.exposure, "Brighten the .png by that many stops")
         ->type_name("STOPS");
     add_choice(command, "--tone-map", r.tone_map, TONE_MAPS,
@@ -96,7 +103,7 @@ void declare_picture(CLI::App& command, RenderRequest& r) {
     command.add_flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
 }
 
-void declare_method(CLI::App& command, RenderRequest& r) {
+void declare_estimator(CLI::App& command, RenderRequest& r) {
     add_choice(command, "--integrator", r.integrator, INTEGRATORS,
                "What is computed (the scene's, else path)");
     command.add_option("--depth", r.depth, "The most surfaces a path visits (the scene's, else 8)")
@@ -104,6 +111,9 @@ void declare_method(CLI::App& command, RenderRequest& r) {
     command.add_option("--seed", r.seed, "Of the random numbers; same seed, same picture (0)")
         ->type_name("N");
     add_choice(command, "--filter", r.filter, FILTERS, "Pixel filter (blackman-harris)");
+}
+
+void declare_engine(CLI::App& command, RenderRequest& r) {
     add_choice(command, "--engine", r.engine, ENGINES,
                "How paths are driven through the device (wavefront)");
     add_choice(command, "--launch", r.launch, LAUNCHES,
@@ -127,6 +137,9 @@ void declare_machine(CLI::App& command, RenderRequest& r) {
     command.add_option("--kernels", r.kernels, "Read kernels from this folder (live editing)")
         ->type_name("DIR");
     command.add_flag("--no-cache", r.no_cache, "Compile kernels anew");
+}
+
+void declare_reports(CLI::App& command, RenderRequest& r) {
     command.add_flag("--stats", r.stats, "Print times, rays, memory and kernel times");
     command.add_option("--json", r.json, "Write the same numbers to this file")->type_name("FILE");
     command.add_flag("--quiet", r.quiet, "Print warnings and errors only");
@@ -149,12 +162,26 @@ void resolve_settings(const RenderRequest& request, gpu::DeviceSettings& setting
 } // namespace
 
 void declare_options(CLI::App& command, RenderRequest& request) {
-    command.add_option("scene", request.scene, "Scene: .gltf, .glb, .obj or .toml")
-        ->required()
-        ->type_name("SCENE");
+    declare_view(command, request);
     declare_picture(command, request);
-    declare_method(command, request);
+    declare_estimator(command, request);
+    declare_engine(command, request);
     declare_machine(command, request);
+    declare_reports(command, request);
+}
+
+void declare_replay_options(CLI::App& command, RenderRequest& request) {
+    declare_view(command, request);
+    declare_estimator(command, request);
+    declare_machine(command, request);
+}
+
+Scene load_requested_scene(const RenderRequest& request) {
+    Scene scene = load_scene(request.scene);
+    if (!request.environment.empty())
+        scene.environment =
+            load_environment(request.environment, glm::vec3(1.0f), request.environment_rotation);
+    return scene;
 }
 
 void check_request(const RenderRequest& r) {

@@ -37,6 +37,12 @@ struct RenderRequest {
 /// Declares every option of `onde render` on its subcommand.
 void declare_options(CLI::App& command, RenderRequest& request);
 
+/// Those of them that decide what a sample is, for commands that replay one.
+void declare_replay_options(CLI::App& command, RenderRequest& request);
+
+/// The scene, under the request's environment. Throws InputError.
+Scene load_requested_scene(const RenderRequest& request);
+
 /// Throws InputError for values that are wrong whatever the scene is.
 void check_request(const RenderRequest& request);
 

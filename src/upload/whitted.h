@@ -20,8 +20,8 @@ struct PackedWhitted {
     std::vector<std::string> defines() const;
 };
 
-/// The levels that kernels for trees of this depth have room for: rounded up, so that scenes share a
-/// compiled program.
+/// The levels that kernels for trees of this depth have room for: rounded up, so that scenes share
+/// a compiled program.
 uint32_t level_capacity(uint32_t depth);
 
 /// depth: the levels of a ray tree, in [1, MAX_TREE_DEPTH].

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fstream>
+
 using namespace onde::test;
 
 namespace {
@@ -30,21 +32,53 @@ TEST_CASE("--version is the version and --help lists the subcommands") {
     const Folder folder;
     CHECK(output_of(folder, {"--version"}) == ONDE_VERSION "\n");
     const std::string help = output_of(folder, {"--help"});
-    for (const char* command : {"render", "info", "compare", "devices", "cache"})
+    for (const char* command : {"render", "info", "inspect", "compare", "devices", "cache"})
         CHECK_THAT(help, Catch::Contains(std::string("\n  ") + command));
 }
 
 TEST_CASE("every subcommand has its own help") {
     const Folder folder;
-    const std::pair<Arguments, std::string> commands[] = {
-        {{"render"}, "--wave-size"},   {{"info"}, "--json"},
-        {{"compare"}, "--diff"},       {{"devices"}, "--json"},
-        {{"cache"}, "prewarm"},        {{"cache", "list"}, "Usage"},
-        {{"cache", "clear"}, "Usage"}, {{"cache", "prewarm"}, "--device"}};
+    const std::pair<Arguments, std::string> commands[] = {{{"inspect"}, "--pixel"},
+                                                          {{"render"}, "--wave-size"},
+                                                          {{"info"}, "--json"},
+                                                          {{"compare"}, "--diff"},
+                                                          {{"devices"}, "--json"},
+                                                          {{"cache"}, "prewarm"},
+                                                          {{"cache", "list"}, "Usage"},
+                                                          {{"cache", "clear"}, "Usage"},
+                                                          {{"cache", "prewarm"}, "--device"}};
     for (auto [command, mentioned] : commands) {
         INFO(command.back());
         command.push_back("--help");
         CHECK_THAT(output_of(folder, command), Catch::Contains(mentioned));
+    }
+}
+
+TEST_CASE("inspect tells what happened to a pixel, in words and as a graph") {
+    const Folder folder;
+    const std::string scene = ONDE_SOURCE_DIR "/scenes/chapter/five-objects.toml";
+    const Arguments view{"inspect", scene, "--size", "64x64", "--pixel", "32,36"};
+    Arguments tree = view;
+    for (const char* word : {"--integrator", "whitted", "--dot", "tree.dot"}) tree.push_back(word);
+    const std::string words = output_of(folder, tree);
+    for (const char* part : {"camera ray: meets", "transmitted ray", "source 0", "[0] returns"})
+        CHECK_THAT(words, Catch::Contains(part));
+    std::ifstream dot(folder.path() / "tree.dot");
+    const std::string graph((std::istreambuf_iterator<char>(dot)), {});
+    CHECK_THAT(graph, Catch::StartsWith("digraph tree {") && Catch::Contains("n0 -> n"));
+    CHECK_THAT(output_of(folder, view),
+               Catch::Contains("throughput (1, 1, 1)") && Catch::Contains("\nradiance ("));
+}
+
+TEST_CASE("inspect refuses what is no pixel") {
+    const Folder folder;
+    const std::string scene = ONDE_SOURCE_DIR "/scenes/chapter/five-objects.toml";
+    for (const char* pixel : {"64,3", "3", "-1,2", "1,2,3"}) {
+        INFO(pixel);
+        const Outcome outcome = onde::test::onde(
+            folder, {"inspect", scene, "--size", "64x64", std::string("--pixel=") + pixel});
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::Contains("pixel"));
     }
 }
 

@@ -1,0 +1,70 @@
+// One sample of one pixel by the path-tracing estimator, every bounce written down. Compiled at
+// width 1; the path has the bits that every other width has. The wave is that one path.
+#include "film/film.h"
+#include "film/tally.h"
+#include "inspect/report.h"
+#include "lib/trace.h"
+#include "path/path.h"
+
+// What the estimator decided with: the light that it chose and the lobes.
+INLINE void explain_bounce(SceneView view, Path path, Hits hit, Sampler sampler, uint bounce,
+                           __global BounceReport* report) {
+    const uint found = hit.primitive != BVH_NONE;
+    const Surface s = surface_at(view, path.origin, path.direction, hit, (mask)(found));
+    report_hit(&report->hit, path.origin, path.direction, hit, s);
+    report3(report->throughput, path.throughput);
+    report->light = NO_INDEX;
+    report->light_pdf = 0.0f;
+    if (!found) return;
+    const Basis basis = make_basis(s.normal);
+    const real cosine = max_real(to_local(basis, negate3(path.direction)).z, (real)(1e-4f));
+    const Bsdf b = material_bsdf(view, s, cosine);
+    report3(report->diffuse, b.diffuse);
+    report3(report->f0, b.f0);
+    report->alpha = b.alpha;
+    report->eta = b.eta;
+    report->glossy = b.glossy;
+    report->dielectric = b.dielectric != 0;
+    if (view.frame->light_count == 0) return;
+    const real choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x;
+    const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT));
+    report->light = choose_light(view, choice);
+    report->light_pdf = light_sample(view, s.position, choice, u, (mask)(1)).pdf;
+}
+
+// reports: as many as the path may have surfaces. radiance: of the sample.
+__kernel void inspect_path(uint count, SCENE_PARAMETERS, JOB_PARAMETERS,
+                           __global BounceReport* reports, __global uint* report_count,
+                           __global float* radiance) {
+    if (count == 0 || get_global_id(0) != 0) return;
+    SCENE_VIEW(view);
+    WAVE_JOB(job);
+    const natural pixel = job_pixel(job, (natural)(0u));
+    const Sampler sampler = sampler_start(pixel, job_sample(job, (natural)(0u)), view.frame->seed);
+    Path path = path_start(view.frame, pixel, sampler);
+    real3 sum = zero3();
+    uint bounce = 0;
+    for (bool alive = true; alive; bounce++) {
+        __global BounceReport* report = reports + bounce;
+        const Hits hits = trace_closest(view.bvh, path.origin, path.direction, 1u);
+        explain_bounce(view, path, hits, sampler, bounce, report);
+        const PathVertex v = path_vertex(view, path, hits, sampler, bounce, (mask)(1));
+        sum = add3(sum, v.emitted);
+        report3(report->emitted, v.emitted);
+        report3(report->light_direction, v.shadow.direction);
+        report->light_distance = v.shadow.distance;
+        report3(report->light_radiance, v.shadow.radiance);
+        report->blocked =
+            v.shadow.distance > 0.0f &&
+            trace_occluded(view.bvh, v.shadow.origin, v.shadow.direction, v.shadow.distance, 1u);
+        if (v.shadow.distance > 0.0f && !report->blocked) sum = add3(sum, v.shadow.radiance);
+        report3(report->next_direction, v.next.direction);
+        report->next_pdf = v.next.pdf;
+        report3(report->next_throughput, v.next.throughput);
+        alive = v.alive != 0;
+        report->alive = alive;
+        path = v.next;
+    }
+    *report_count = bounce;
+    report3(radiance, sum);
+}

@@ -1,0 +1,90 @@
+#include "app/inspect_command.h"
+
+#include "app/inspect_report.h"
+#include "app/render_request.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "upload/device_scene.h"
+
+#include <charconv>
+#include <fstream>
+#include <memory>
+
+namespace onde::app {
+namespace {
+
+struct InspectRequest {
+    RenderRequest render; ///< scene, size, depth, ...: as the picture was rendered
+    std::string pixel;
+    uint32_t sample = 0;
+    std::filesystem::path dot;
+};
+
+PixelSample parse_pixel(const InspectRequest& request) {
+    const std::string& text = request.pixel;
+    const char* end = text.data() + text.size();
+    PixelSample at;
+    at.sample = request.sample;
+    const auto first = std::from_chars(text.data(), end, at.x);
+    if (first.ec == std::errc() && first.ptr != end && *first.ptr == ',') {
+        const auto second = std::from_chars(first.ptr + 1, end, at.y);
+        if (second.ec == std::errc() && second.ptr == end) return at;
+    }
+    throw InputError("--pixel {} is not of the form X,Y, for example 120,80", text);
+}
+
+void run(const InspectRequest& request) {
+    set_up_logging(request.render.quiet);
+    check_request(request.render);
+    const PixelSample at = parse_pixel(request);
+    if (!request.dot.empty()) check_writable(request.dot);
+    const gpu::KernelSources sources = request.render.kernels.empty()
+                                           ? gpu::KernelSources::embedded()
+                                           : gpu::KernelSources::folder(request.render.kernels);
+    const gpu::Device device = gpu::open_device(request.render.device);
+    const Scene scene = load_requested_scene(request.render);
+    const RenderOptions options = resolve_options(request.render, scene, device.facts());
+    const DeviceScene placed(device, pack_scene(scene));
+    const gpu::ProgramCache cache;
+    const IntegratorContext context{device,  sources, request.render.no_cache ? nullptr : &cache,
+                                    &scene,  placed,  scene.cameras.at(options.camera),
+                                    options, nullptr};
+    std::string words, dot;
+    if (options.integrator == IntegratorKind::whitted) {
+        const TreeReport report = inspect_whitted(context, at);
+        words = tree_text(report, scene, placed.packed());
+        dot = tree_dot(report, scene);
+    } else if (options.integrator == IntegratorKind::path) {
+        const PathReport report = inspect_path(context, at);
+        words = path_text(report, scene, placed.packed());
+        dot = path_dot(report, scene);
+    } else {
+        throw InputError(
+            "inspect follows --integrator path or whitted; this scene asks for another");
+    }
+    fmt::print("pixel {},{} of {}x{}, sample {}\n{}", at.x, at.y, options.width, options.height,
+               at.sample, words);
+    if (request.dot.empty()) return;
+    replace_file(request.dot,
+                 [&](const std::filesystem::path& path) { std::ofstream(path) << dot; });
+}
+
+} // namespace
+
+void add_inspect_command(CLI::App& app) {
+    const auto request = std::make_shared<InspectRequest>(); // CLI11 copies its callbacks
+    CLI::App* command = app.add_subcommand(
+        "inspect", "Replay one sample of a pixel: its ray tree, or its path, in words");
+    command->add_option("--pixel", request->pixel, "From the upper left")
+        ->type_name("X,Y")
+        ->required();
+    command->add_option("--sample", request->sample, "Of the pixel, from 0")->type_name("S");
+    command->add_option("--dot", request->dot, "Write it as a graph for Graphviz too")
+        ->type_name("FILE");
+    declare_replay_options(*command, request->render);
+    command->callback([request] { run(*request); });
+}
+
+} // namespace onde::app

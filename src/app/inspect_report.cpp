@@ -1,0 +1,183 @@
+#include "app/inspect_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace onde::app {
+namespace {
+
+constexpr uint32_t WAVELENGTH = 0xff, TAKES_FACTOR = 0x100; // as KIND_... of whitted/tree.h
+
+std::string text(const float (&v)[3]) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]);
+}
+
+/// A name as a quoted text of Graphviz and of people.
+std::string quoted(std::string name) {
+    std::ranges::replace_if(
+        name, [](char c) { return c == '"' || c == '\\' || uint8_t(c) < 32; }, '_');
+    return '\'' + name + '\'';
+}
+
+std::string material_name(const Scene& scene, uint32_t material) {
+    const std::string& name = scene.materials.at(material).name;
+    return name.empty() ? fmt::format("material {}", material) : quoted(name);
+}
+
+std::string hit_text(const HitReport& hit, const Scene& scene, const PackedScene& packed) {
+    if (hit.primitive == BVH_NONE)
+        return fmt::format("leaves the scene toward {}", text(hit.direction));
+    const bool sphere = packed.surfaces.at(hit.primitive).material & SURFACE_SPHERE;
+    std::string words = fmt::format("meets {} ({} {}", material_name(scene, hit.material),
+                                    sphere ? "sphere" : "primitive", hit.primitive);
+    if (hit.instance != BVH_NONE) words += fmt::format(" of instance {}", hit.instance);
+    return words + fmt::format(") from {} at {}, normal {}, after {:.6g}",
+                               hit.front ? "outside" : "inside", text(hit.position),
+                               text(hit.normal), hit.t);
+}
+
+std::string node_kind(const TreeReport& report, uint32_t i) {
+    const NodeReport& node = report.nodes[i];
+    if (node.level == 0) return "camera ray";
+    const HitReport& from = report.nodes[node.parent].hit;
+    const glm::vec3 n(from.normal[0], from.normal[1], from.normal[2]);
+    const glm::vec3 d(node.hit.direction[0], node.hit.direction[1], node.hit.direction[2]);
+    std::string words = glm::dot(n, d) > 0 ? "mirrored ray" : "transmitted ray";
+    if (node.kind & WAVELENGTH)
+        words += fmt::format(", wavelength {}", (node.kind & WAVELENGTH) - 1);
+    if (node.kind & TAKES_FACTOR) words += ", with the factor of what it meets";
+    return words;
+}
+
+class TreeWriter {
+  public:
+    TreeWriter(const TreeReport& report, const Scene& scene, const PackedScene& packed)
+        : report_(report), scene_(scene), packed_(packed), children_(report.nodes.size()) {
+        for (uint32_t i = 1; i < report.nodes.size(); i++)
+            if (report.nodes[i].level > 0) children_[report.nodes[i].parent].push_back(i);
+    }
+
+    std::string write() {
+        write_node(0);
+        return text_;
+    }
+
+  private:
+    void line(uint32_t level, const std::string& words) {
+        text_ += std::string(2 * size_t(level), ' ') + words + '\n';
+    }
+
+    void write_node(uint32_t i) {
+        const NodeReport& node = report_.nodes[i];
+        const uint32_t level = node.level;
+        line(level, fmt::format("[{}] {}: {}", i, node_kind(report_, i),
+                                hit_text(node.hit, scene_, packed_)));
+        if (level > 0)
+            line(level, fmt::format("    factor {}, product so far {:.6g}", text(node.factor),
+                                    node.product));
+        if (!node.alive)
+            line(level, "    its product of factors is not above epsilon: it counts nothing");
+        else if (node.hit.primitive != BVH_NONE)
+            write_light(i);
+        line(level, fmt::format("    own colour {}", text(node.own)));
+        for (uint32_t child : children_[i]) write_node(child);
+        line(level, fmt::format("    [{}] returns {}", i, text(node.returned)));
+    }
+
+    void write_light(uint32_t i) {
+        const NodeReport& node = report_.nodes[i];
+        line(node.level,
+             fmt::format("    emission {}, ambient {}", text(node.emission), text(node.ambient)));
+        for (size_t s = 0; s < report_.sources[i].size(); s++) {
+            const SourceReport& source = report_.sources[i][s];
+            line(node.level,
+                 fmt::format("    source {}: {:.4g} % arrives, diffuse {}, specular {}", s,
+                             100 * source.visible, text(source.diffuse), text(source.specular)));
+        }
+    }
+
+    const TreeReport& report_;
+    const Scene& scene_;
+    const PackedScene& packed_;
+    std::vector<std::vector<uint32_t>> children_;
+    std::string text_;
+};
+
+std::string dot_label(const HitReport& hit, const Scene& scene) {
+    return hit.primitive == BVH_NONE ? "background" : material_name(scene, hit.material);
+}
+
+std::string lobes_text(const BounceReport& b) {
+    if (b.dielectric) return fmt::format("dielectric, eta {:.6g}, alpha {:.4g}", b.eta, b.alpha);
+    return fmt::format("diffuse {}, f0 {}, alpha {:.4g}, glossy lobe chosen with {:.4g}",
+                       text(b.diffuse), text(b.f0), b.alpha, b.glossy);
+}
+
+std::string light_text(const BounceReport& b) {
+    if (b.light == NO_INDEX) return "no light to sample";
+    if (!(b.light_distance > 0))
+        return fmt::format("light {} chosen (pdf {:.6g}): nothing to gain", b.light, b.light_pdf);
+    return fmt::format("light {} chosen (pdf {:.6g}), toward {}: {} {}", b.light, b.light_pdf,
+                       text(b.light_direction), b.blocked ? "blocked, would add" : "adds",
+                       text(b.light_radiance));
+}
+
+} // namespace
+
+std::string tree_text(const TreeReport& report, const Scene& scene, const PackedScene& packed) {
+    return TreeWriter(report, scene, packed).write();
+}
+
+std::string tree_dot(const TreeReport& report, const Scene& scene) {
+    std::string dot = "digraph tree {\n  node [shape=box];\n";
+    for (uint32_t i = 0; i < report.nodes.size(); i++) {
+        const NodeReport& node = report.nodes[i];
+        if (i > 0 && node.level == 0) continue;
+        dot += fmt::format("  n{} [label=\"{}\\nown {}\\nreturns {}\"];\n", i,
+                           dot_label(node.hit, scene), text(node.own), text(node.returned));
+        if (node.level > 0)
+            dot += fmt::format("  n{} -> n{} [label=\"{}\\nfactor {}\"];\n", node.parent, i,
+                               node_kind(report, i), text(node.factor));
+    }
+    return dot + "}\n";
+}
+
+std::string path_text(const PathReport& report, const Scene& scene, const PackedScene& packed) {
+    std::string words;
+    for (size_t i = 0; i < report.bounces.size(); i++) {
+        const BounceReport& b = report.bounces[i];
+        words += fmt::format("[{}] throughput {}: {}\n    light found {}\n", i, text(b.throughput),
+                             hit_text(b.hit, scene, packed), text(b.emitted));
+        if (b.hit.primitive == BVH_NONE) continue;
+        words += fmt::format("    {}\n    {}\n", lobes_text(b), light_text(b));
+        if (b.alive)
+            words += fmt::format("    goes on toward {}, pdf {}\n", text(b.next_direction),
+                                 b.next_pdf > 0 ? fmt::format("{:.6g}", b.next_pdf)
+                                                : "of a single direction");
+        else
+            words += "    ends here\n";
+    }
+    const glm::vec3& sum = report.radiance;
+    return words + fmt::format("radiance ({:.6g}, {:.6g}, {:.6g})\n", sum.x, sum.y, sum.z);
+}
+
+std::string path_dot(const PathReport& report, const Scene& scene) {
+    std::string dot = "digraph path {\n  node [shape=box];\n";
+    for (size_t i = 0; i < report.bounces.size(); i++) {
+        const BounceReport& b = report.bounces[i];
+        dot += fmt::format("  n{} [label=\"{}\\nfound {}\"];\n", i, dot_label(b.hit, scene),
+                           text(b.emitted));
+        if (i > 0)
+            dot += fmt::format("  n{} -> n{} [label=\"throughput {}\"];\n", i - 1, i,
+                               text(b.throughput));
+        if (b.light_distance > 0)
+            dot += fmt::format("  n{} -> l{} [style=dashed,label=\"{}\"];\n  l{} [label=\"light "
+                               "{}\",shape=ellipse];\n",
+                               i, i, b.blocked ? "blocked" : text(b.light_radiance), i, b.light);
+    }
+    return dot + "}\n";
+}
+
+} // namespace onde::app

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "render/frame.h"
 #include "scene/load.h"
 
 #include <fmt/ranges.h>
@@ -145,6 +146,14 @@ void declare_reports(CLI::App& command, RenderRequest& r) {
     command.add_flag("--quiet", r.quiet, "Print warnings and errors only");
 }
 
+/// Scene files know the names of integrators that are still to come.
+void check_integrator(IntegratorKind kind) {
+    for (const auto& [name, known] : INTEGRATORS)
+        if (known == kind) return;
+    throw InputError("the scene asks for an integrator that is not built yet; choose another by "
+                     "--integrator");
+}
+
 /// Waves are rounded up to whole chunks.
 void resolve_settings(const RenderRequest& request, gpu::DeviceSettings& settings) {
     settings.width = request.width.value_or(settings.width);
@@ -212,7 +221,10 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
     options.seed = request.seed.value_or(own.seed.value_or(options.seed));
     options.filter = request.filter.value_or(own.filter.value_or(options.filter));
     options.camera = find_camera(request.camera, scene);
+    if (!scene.cameras.empty())
+        check_screen(scene.cameras[options.camera], options.width, options.height);
     options.integrator = request.integrator.value_or(own.integrator.value_or(options.integrator));
+    check_integrator(options.integrator);
     options.tree_slots = request.tree_slots.value_or(options.tree_slots);
     options.engine = request.engine.value_or(options.engine);
     options.settings = gpu::default_settings(facts);

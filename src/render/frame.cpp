@@ -1,5 +1,6 @@
 #include "render/frame.h"
 
+#include "core/error.h"
 #include "render/filter.h"
 
 #include <algorithm>
@@ -52,6 +53,15 @@ static void set_camera(FrameRecord& frame, const Camera& camera, uint32_t width,
     copy(frame.forward, forward);
     frame.aperture_radius = camera.aperture_radius;
     frame.focus_distance = distance;
+}
+
+void check_screen(const Camera& camera, uint32_t width, uint32_t height) {
+    if (!camera.screen) return;
+    const double a = camera.screen->size.x, b = camera.screen->size.y;
+    if (std::abs(a / width - b / height) <= 1e-5 * a / width) return;
+    throw InputError("the camera's screen of {} x {} has pixels of {:.6g} x {:.6g} in a picture of "
+                     "{}x{}; they must be square: change its size, or --size",
+                     a, b, a / width, b / height, width, height);
 }
 
 FrameRecord make_frame(const PackedScene& scene, const Camera& camera,

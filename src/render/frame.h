@@ -9,6 +9,10 @@
 
 namespace onde {
 
+/// Throws InputError, with both numbers, when the camera's screen (C3) has no square pixels in a
+/// picture of this size.
+void check_screen(const Camera& camera, uint32_t width, uint32_t height);
+
 FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
                        const RenderOptions& options);
 

@@ -60,6 +60,12 @@ void furnish(const Folder& folder) {
     folder.write("light.toml", "[[light]]\ntype = \"rectangle\"\ncorner = [0, 0, 0]\n"
                                "edge1 = [1, 0, 0]\nedge2 = [1, 0, 0]\nradiance = 5\n");
     folder.write("itself.toml", "[[include]]\nfile = \"itself.toml\"\n");
+    const std::string ball =
+        "[[shape]]\ntype = \"sphere\"\n[[light]]\ntype = \"directional\"\n"
+        "direction = [0, -1, 0]\nirradiance = 1\n[camera]\nposition = [0, 0, 5]\n"
+        "look_at = [0, 0, 0]\n";
+    folder.write("future.toml", ball + "[render]\nintegrator = \"painter\"\n");
+    folder.write("screen.toml", ball + "screen = { size = [4, 2], distance = 3 }\n");
     folder.write("empty.obj", "");
     folder.write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
     folder.write("flat.toml", // with what makes its kernels those of the Cornell box
@@ -137,6 +143,8 @@ TEST_CASE("a scene that is no good is refused by its name") {
         {"empty.toml", "empty.toml"},
         {"light.toml", "light.toml:5:9: light[0].edge2"},
         {"itself.toml", "itself.toml"},
+        {"future.toml", "integrator that is not built yet"},
+        {"screen.toml", "pixels of 0.25 x 0.166667"},
         {"empty.obj", "empty.obj"},
         {"index.obj", "index.obj"},
     };

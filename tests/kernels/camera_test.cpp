@@ -61,6 +61,46 @@ Camera wide_camera() {
 
 } // namespace
 
+TEST_CASE("a screen of real size has its pixels where the chapter's formula puts them") {
+    // E(i, j) = first pixel + (i a / Nx, j b / Ny), f away, j growing upward; the sample lies
+    // within.
+    Camera camera;
+    camera.screen = ScreenWindow{{2.55f, 1.29f}, 2.0f, glm::vec2(0.3f, -0.2f)};
+    const Rays rays = picture(camera, Filter::box);
+    for (size_t i = 0; i < rays.direction.size(); i++) {
+        const glm::dvec3 d = rays.direction[i];
+        const double column = double(i % WIDTH), row = double(HEIGHT - 1 - i / WIDTH);
+        INFO("pixel " << column << "," << row);
+        REQUIRE(std::abs(2 * d.x / -d.z - (0.3 + 0.01 * column)) < 0.0050001);
+        REQUIRE(std::abs(2 * d.y / -d.z - (-0.2 + 0.01 * row)) < 0.0050001);
+    }
+}
+
+TEST_CASE("a screen without a first pixel is centred like a field of view") {
+    Camera by_screen, by_angle;
+    by_screen.screen = ScreenWindow{{2.55f, 1.29f}, 2.0f, {}};
+    by_angle.vertical_fov = float(2 * std::atan(1.29 / 4));
+    const Rays a = picture(by_screen, Filter::box), b = picture(by_angle, Filter::box);
+    double worst = 0;
+    for (size_t i = 0; i < a.direction.size(); i++)
+        worst = std::max(worst, glm::length(a.direction[i] - b.direction[i]));
+    CHECK(worst < 1e-6);
+}
+
+TEST_CASE("orthographic rays are parallel and start side by side") {
+    Camera camera;
+    camera.orthographic_height = 1.29f;
+    const Rays rays = picture(camera, Filter::box);
+    for (size_t i = 0; i < rays.direction.size(); i++) {
+        REQUIRE(rays.direction[i] == glm::dvec3(0, 0, -1));
+        const double x = 0.01 * (double(i % WIDTH) + 0.5) - 1.275;
+        const double y = 0.645 - 0.01 * (double(i / WIDTH) + 0.5);
+        REQUIRE(std::abs(rays.origin[i].x - x) < 0.0050001);
+        REQUIRE(std::abs(rays.origin[i].y - y) < 0.0050001);
+        REQUIRE(rays.origin[i].z == 0.0);
+    }
+}
+
 TEST_CASE("every ray goes through its pixel within the radius of the filter") {
     const Camera camera = wide_camera();
     for (Filter filter : FILTERS) {

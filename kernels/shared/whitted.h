@@ -8,6 +8,11 @@
 #define MAX_WAVELENGTHS 16
 #define MAX_TREE_DEPTH 255
 
+// A ray's kind: which wavelength it has (0: white, else 1 + index), and whether its factor is
+// that of the surface it meets.
+#define KIND_WAVELENGTH 0xffu
+#define KIND_TAKES_FACTOR 0x100u
+
 typedef struct {
     float ambient[3];
     uint has_background; // 0: a miss sees the environment

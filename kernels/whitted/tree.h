@@ -21,11 +21,6 @@ typedef struct {
     __global const SourceRecord* sources;
 } WhittedView;
 
-// A ray's kind: which wavelength it has (0: white, else 1 + index), and whether its factor is
-// that of the surface it meets.
-#define KIND_WAVELENGTH 0xffu
-#define KIND_TAKES_FACTOR 0x100u
-
 typedef struct {
     real3 origin, direction;
     real3 factor; // of its colour in its parent's

@@ -1,5 +1,7 @@
 #include "app/inspect_report.h"
 
+#include "shared/whitted.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +9,6 @@
 
 namespace onde::app {
 namespace {
-
-constexpr uint32_t WAVELENGTH = 0xff, TAKES_FACTOR = 0x100; // as KIND_... of whitted/tree.h
 
 std::string text(const float (&v)[3]) {
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]);
@@ -45,9 +45,9 @@ std::string node_kind(const TreeReport& report, uint32_t i) {
     const glm::vec3 n(from.normal[0], from.normal[1], from.normal[2]);
     const glm::vec3 d(node.hit.direction[0], node.hit.direction[1], node.hit.direction[2]);
     std::string words = glm::dot(n, d) > 0 ? "mirrored ray" : "transmitted ray";
-    if (node.kind & WAVELENGTH)
-        words += fmt::format(", wavelength {}", (node.kind & WAVELENGTH) - 1);
-    if (node.kind & TAKES_FACTOR) words += ", with the factor of what it meets";
+    if (node.kind & KIND_WAVELENGTH)
+        words += fmt::format(", wavelength {}", (node.kind & KIND_WAVELENGTH) - 1);
+    if (node.kind & KIND_TAKES_FACTOR) words += ", with the factor of what it meets";
     return words;
 }
 

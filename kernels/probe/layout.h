@@ -8,6 +8,7 @@
 #include "shared/inspect.h"
 #include "shared/light_tracing.h"
 #include "shared/scene.h"
+#include "shared/volumes.h"
 #include "shared/whitted.h"
 
 #define SHARED_LAYOUT(SIZE, OFFSET)                                                                \
@@ -16,6 +17,24 @@
     OFFSET(LightTracingRecord, radius)                                                             \
     OFFSET(LightTracingRecord, splat_scale)                                                        \
     OFFSET(LightTracingRecord, unused)                                                             \
+    SIZE(BoxVolume)                                                                                \
+    OFFSET(BoxVolume, low)                                                                         \
+    OFFSET(BoxVolume, high)                                                                        \
+    OFFSET(BoxVolume, reach)                                                                       \
+    OFFSET(BoxVolume, unused)                                                                      \
+    SIZE(OrientedBoxVolume)                                                                        \
+    OFFSET(OrientedBoxVolume, axes)                                                                \
+    OFFSET(OrientedBoxVolume, low)                                                                 \
+    OFFSET(OrientedBoxVolume, high)                                                                \
+    OFFSET(OrientedBoxVolume, reach)                                                               \
+    SIZE(SlabsVolume)                                                                              \
+    OFFSET(SlabsVolume, low)                                                                       \
+    OFFSET(SlabsVolume, high)                                                                      \
+    OFFSET(SlabsVolume, reach)                                                                     \
+    OFFSET(SlabsVolume, unused)                                                                    \
+    SIZE(SphereVolume)                                                                             \
+    OFFSET(SphereVolume, center)                                                                   \
+    OFFSET(SphereVolume, radius)                                                                   \
     SIZE(BvhNode)                                                                                  \
     OFFSET(BvhNode, low_x)                                                                         \
     OFFSET(BvhNode, high_x)                                                                        \

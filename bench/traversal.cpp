@@ -74,15 +74,16 @@ struct Contender {
 /// The answers of one ray set, by contender, and how each contender finds them.
 class Race {
   public:
-    Race(const RaySet& set, const gpu::Device& device, OndeTracer& onde, const EmbreeTracer& high,
-         const EmbreeTracer& medium)
-        : set_(set), device_(device), on_device_(device, set.rays), onde_(onde),
-          expected_hits_(set.rays.size()), expected_blocked_(set.rays.size()) {
+    Race(const RaySet& set, const gpu::Device& device, OndeTracer& onde, OndeTracer& watertight,
+         const EmbreeTracer& high, const EmbreeTracer& medium)
+        : set_(set), device_(device), on_device_(device, set.rays), expected_hits_(set.rays.size()),
+          expected_blocked_(set.rays.size()) {
         add_embree(REFERENCE, high);
         add_embree("embree medium", medium);
-        set.any_hit ? add_onde("onde single", &OndeTracer::occluded)
-                    : add_onde("onde single", &OndeTracer::closest);
-        if (!set.any_hit) add_onde("onde packet", &OndeTracer::closest_packet);
+        const auto single = set.any_hit ? &OndeTracer::occluded : &OndeTracer::closest;
+        add_onde("onde single", onde, single);
+        if (!set.any_hit) add_onde("onde packet", onde, &OndeTracer::closest_packet);
+        add_onde("onde watertight", watertight, single);
     }
 
     std::vector<Timing> run(const Options& options) {
@@ -117,8 +118,9 @@ class Race {
                                }});
     }
 
-    void add_onde(const char* name, void (OndeTracer::*trace)(const DeviceRays&)) {
-        contenders_.push_back({name, [this, trace] { (onde_.*trace)(on_device_); },
+    void add_onde(const char* name, OndeTracer& onde,
+                  void (OndeTracer::*trace)(const DeviceRays&)) {
+        contenders_.push_back({name, [this, &onde, trace] { (onde.*trace)(on_device_); },
                                [this] {
                                    return differences(on_device_.hits.read(device_),
                                                       on_device_.blocked.read(device_));
@@ -133,7 +135,6 @@ class Race {
     const RaySet& set_;
     const gpu::Device& device_;
     DeviceRays on_device_;
-    OndeTracer& onde_;
     std::vector<Hit> expected_hits_, hits_;
     std::vector<uint32_t> expected_blocked_, blocked_;
     std::vector<Contender> contenders_;
@@ -148,6 +149,8 @@ Report measure(const Model& model, const gpu::Device& device, const gpu::KernelS
     const EmbreeTracer high(model, RTC_BUILD_QUALITY_HIGH);
     const EmbreeTracer medium(model, RTC_BUILD_QUALITY_MEDIUM);
     OndeTracer onde(device, sources, tree);
+    const Bvh tight_tree = build_bvh({&geometry, 1}, {&placement, 1}, {.watertight = true});
+    OndeTracer watertight(device, sources, tight_tree);
 
     Report report{model.name, device.facts().name, model.triangles.size()};
     report.builds = {
@@ -155,7 +158,7 @@ Report measure(const Model& model, const gpu::Device& device, const gpu::KernelS
         describe_build("embree medium", model, medium.build_seconds(), double(medium.bytes())),
         describe_build("embree high", model, high.build_seconds(), double(high.bytes()))};
     for (const RaySet& set : record_rays(model, high, options.side)) {
-        const auto timings = Race(set, device, onde, high, medium).run(options);
+        const auto timings = Race(set, device, onde, watertight, high, medium).run(options);
         report.timings.insert(report.timings.end(), timings.begin(), timings.end());
     }
     return report;

@@ -7,12 +7,12 @@ namespace {
 constexpr size_t LOCAL_SIZE = 64, MANY = 1u << 20;
 
 gpu::ProgramRequest request(const Bvh& tree) {
-    return {
-        "bench/traversal.cl",
-        {fmt::format("ONDE_STACK_SIZE={}", tree.stack_size), "ONDE_INSTANCES=0", "ONDE_SPHERES=0"},
-        {{"closest", LOCAL_SIZE, MANY},
-         {"closest_packet", 4, MANY},
-         {"occluded", LOCAL_SIZE, MANY}}};
+    return {"bench/traversal.cl",
+            {fmt::format("ONDE_STACK_SIZE={}", tree.stack_size), "ONDE_INSTANCES=0",
+             "ONDE_SPHERES=0", fmt::format("ONDE_WATERTIGHT={:d}", tree.watertight)},
+            {{"closest", LOCAL_SIZE, MANY},
+             {"closest_packet", 4, MANY},
+             {"occluded", LOCAL_SIZE, MANY}}};
 }
 
 } // namespace

@@ -19,7 +19,8 @@ SRC_ARROWS = {
     "gpu": {"core", "shared"},
     "upload": {"core", "image", "scene", "accel", "gpu", "shared"},
     "render": {"core", "image", "scene", "accel", "gpu", "upload", "shared"},
-    "app": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
+    "lab": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
+    "app": {"core", "image", "scene", "accel", "gpu", "upload", "render", "lab", "shared"},
 }
 KERNEL_ARROWS = {
     "shared": set(),

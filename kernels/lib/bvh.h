@@ -40,6 +40,14 @@ INLINE __global const uint* bvh_children(__global const uchar* node) {
     return (__global const uint*)(node + 384);
 }
 
+// Those of a node, and those of a leaf block.
+INLINE uint count_children(__global const uint* children) {
+    return popcount(bits16(*(__global const uint16*)children != (uint16)(BVH_NONE)));
+}
+INLINE uint count_triangles(__global const uchar* block) {
+    return popcount(bits8(((__global const uint8*)block)[9] != (uint8)(BVH_NONE)));
+}
+
 INLINE void bvh_prefetch(BvhView bvh, uint word) {
     prefetch_block(word & BVH_LEAF ? bvh_block(bvh, word) : bvh_node(bvh, word));
 }
@@ -143,10 +151,14 @@ OUTLINED Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direct
     uint instance = BVH_NONE;
     uint word = bvh.root;
     float distance = t_min; // to the box that holds `word`
+#if ONDE_COUNT_TESTS
+    uint boxes = 0, primitives = 0;
+#endif
     for (;;) {
         if (!(word & BVH_LEAF)) {
             __global const uchar* node = bvh_node(bvh, word);
             __global const uint* children = bvh_children(node);
+            COUNT_TESTS(boxes, count_children(children));
             const NodeHits hits = meet_node(node, slab, entry, hit.t);
             if (hits.bits) {
                 *(float16*)near = hits.near;
@@ -162,11 +174,13 @@ OUTLINED Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direct
                 continue;
             }
         } else if ((word & BVH_KIND_MASK) == BVH_LEAF_TRIANGLES) {
+            COUNT_TESTS(primitives, count_triangles(bvh_block(bvh, word)));
             hit = closest_in_block(bvh_block(bvh, word), local_origin, t_min, local_direction,
                                    distance, instance, hit);
         }
 #if ONDE_SPHERES
         else if ((word & BVH_KIND_MASK) == BVH_LEAF_SPHERE) {
+            COUNT_TESTS(primitives, 1);
             hit = closest_on_sphere(bvh.spheres[word & BVH_INDEX_MASK], local_origin, t_min,
                                     local_direction, distance, instance, hit);
         }
@@ -193,6 +207,10 @@ OUTLINED Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direct
         do {
             if (size == 0) {
                 // A copy: the variable that is returned lives in memory, and `hit` must not.
+#if ONDE_COUNT_TESTS
+                hit.boxes = boxes;
+                hit.primitives = primitives;
+#endif
                 const Hit closest = hit;
                 return closest;
             }

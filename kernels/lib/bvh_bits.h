@@ -6,6 +6,12 @@
 #include "lib/lanes.h"
 #include "shared/bvh.h"
 
+// Whether leaf blocks hold corners, and are tested so that no ray slips between triangles that
+// share an edge or a corner (Bvh::watertight).
+#ifndef ONDE_WATERTIGHT
+    #define ONDE_WATERTIGHT 0
+#endif
+
 // Written as comparisons: fmin and fmax order NaN, which costs a tenth of the traversal rate.
 #define LOWER(a, b) ((a) < (b) ? (a) : (b))
 #define UPPER(a, b) ((a) > (b) ? (a) : (b))

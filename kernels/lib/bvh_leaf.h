@@ -2,7 +2,12 @@
 #ifndef ONDE_LIB_BVH_LEAF_H
 #define ONDE_LIB_BVH_LEAF_H
 
-#include "lib/triangle.h"
+// Whether a closest-hit walk counts its tests (for heat maps and the laboratory).
+#ifndef ONDE_COUNT_TESTS
+    #define ONDE_COUNT_TESTS 0
+#endif
+
+#include "lib/triangle_watertight.h"
 
 // A closest hit. primitive == BVH_NONE: nothing was hit, and t is the ray's t_max.
 // u and v weigh the triangle's vertices 1 and 2; they are 0 on spheres. instance == BVH_NONE: the
@@ -10,7 +15,17 @@
 typedef struct {
     float t, u, v;
     uint primitive, instance;
+#if ONDE_COUNT_TESTS
+    uint boxes, primitives; // that the walk has tested
+#endif
 } Hit;
+
+// Adds to a counter of the walk, where it counts.
+#if ONDE_COUNT_TESTS
+    #define COUNT_TESTS(counter, amount) counter += (amount)
+#else
+    #define COUNT_TESTS(counter, amount)
+#endif
 
 // Among hits at the same distance the smallest ids win, whatever the order in which they are found.
 INLINE uint is_closer(float t, uint primitive, uint instance, Hit than) {
@@ -28,8 +43,8 @@ INLINE Vectors8 block_vectors(__global const float8* rows) {
 }
 INLINE TriangleTest8 test_block(__global const uchar* block, float3 origin, float3 direction) {
     __global const float8* rows = (__global const float8*)block;
-    return test_triangles8(splat8(origin), splat8(direction), block_vectors(rows),
-                           block_vectors(rows + 3), block_vectors(rows + 6));
+    return leaf_test8(splat8(origin), splat8(direction), block_vectors(rows),
+                      block_vectors(rows + 3), block_vectors(rows + 6));
 }
 
 // `hit`, or the closest hit of the block's triangles in (t_min, hit.t]. A hit counts as no closer

@@ -65,12 +65,22 @@ INLINE Packet load_packet(float rays[8][16]) {
     const Vectors16 start = {-packet.origin.x * packet.inverse.x,
                              -packet.origin.y * packet.inverse.y,
                              -packet.origin.z * packet.inverse.z};
-    packet.near.x = start.x - fabs(start.x) * SLAB_SLACK;
-    packet.near.y = start.y - fabs(start.y) * SLAB_SLACK;
-    packet.near.z = start.z - fabs(start.z) * SLAB_SLACK;
-    packet.far.x = start.x + fabs(start.x) * SLAB_SLACK;
-    packet.far.y = start.y + fabs(start.y) * SLAB_SLACK;
-    packet.far.z = start.z + fabs(start.z) * SLAB_SLACK;
+    #if ONDE_WATERTIGHT
+    const float16 reach =
+        WATERTIGHT_SLACK *
+        UPPER(fabs(packet.origin.x), UPPER(fabs(packet.origin.y), fabs(packet.origin.z)));
+    const Vectors16 slack = {fabs(packet.inverse.x) * reach, fabs(packet.inverse.y) * reach,
+                             fabs(packet.inverse.z) * reach};
+    #else
+    const Vectors16 slack = {fabs(start.x) * SLAB_SLACK, fabs(start.y) * SLAB_SLACK,
+                             fabs(start.z) * SLAB_SLACK};
+    #endif
+    packet.near.x = start.x - slack.x;
+    packet.near.y = start.y - slack.y;
+    packet.near.z = start.z - slack.z;
+    packet.far.x = start.x + slack.x;
+    packet.far.y = start.y + slack.y;
+    packet.far.z = start.z + slack.z;
     return packet;
 }
 
@@ -106,7 +116,12 @@ INLINE float3 highest3(Vectors16 v, int16 lanes) {
 }
 
 INLINE Frustum make_frustum(Packet packet, int16 lanes, uint octant) {
-    const float3 low = lowest3(packet.origin, lanes), high = highest3(packet.origin, lanes);
+    float3 low = lowest3(packet.origin, lanes), high = highest3(packet.origin, lanes);
+    #if ONDE_WATERTIGHT
+    const float reach = largest_coordinate(UPPER(fabs(low), fabs(high)));
+    low -= reach * FRUSTUM_SLACK;
+    high += reach * FRUSTUM_SLACK;
+    #endif
     const int3 flipped = ((int3)(octant) & (int3)(1, 2, 4)) != 0;
     Frustum frustum;
     frustum.near_origin = flipped ? low : high;
@@ -183,8 +198,8 @@ INLINE PacketHits closest_in_block16(__global const uchar* block, Packet rays, B
     for (uint i = 0; i < BVH_LEAF_WIDTH; i++) {
         const uint primitive = as_uint(rows[72 + i]);
         if (primitive == BVH_NONE) break;
-        const TriangleTest16 test = test_triangles16(rays.origin, rays.direction, splat16(rows, i),
-                                                     splat16(rows + 24, i), splat16(rows + 48, i));
+        const TriangleTest16 test = leaf_test16(rays.origin, rays.direction, splat16(rows, i),
+                                                splat16(rows + 24, i), splat16(rows + 48, i));
         if (!bits16(test.inside & box.lanes)) continue;
         const int16 candidates = may_hit16(test, rays.t_min, hits.t) & box.lanes;
         if (!bits16(candidates)) continue;

@@ -22,13 +22,27 @@ INLINE float safe_inverse(float direction) {
     return 1.0f / (fabs(direction) < 1e-18f ? copysign(1e-18f, direction) : direction);
 }
 
+// In a watertight tree, by this part of the origin's largest coordinate instead: the test of
+// triangles shears corners along the ray, which moves them across it by rounding of that size.
+#define WATERTIGHT_SLACK 6e-7f
+
+INLINE float largest_coordinate(float3 v) {
+    const float3 size = fabs(v);
+    return UPPER(size.x, UPPER(size.y, size.z));
+}
+
 INLINE SlabRay make_slab_ray(float3 origin, float3 direction) {
     SlabRay ray;
     ray.inverse =
         (float3)(safe_inverse(direction.x), safe_inverse(direction.y), safe_inverse(direction.z));
     const float3 start = -origin * ray.inverse;
-    ray.near = start - fabs(start) * SLAB_SLACK;
-    ray.far = start + fabs(start) * SLAB_SLACK;
+#if ONDE_WATERTIGHT
+    const float3 slack = fabs(ray.inverse) * (largest_coordinate(origin) * WATERTIGHT_SLACK);
+#else
+    const float3 slack = fabs(start) * SLAB_SLACK;
+#endif
+    ray.near = start - slack;
+    ray.far = start + slack;
     ray.plane.x = ray.inverse.x < 0.0f ? 64 : 0;
     ray.plane.y = ray.inverse.y < 0.0f ? 192 : 128;
     ray.plane.z = ray.inverse.z < 0.0f ? 320 : 256;

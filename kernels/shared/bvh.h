@@ -27,7 +27,8 @@ typedef struct {
 } BvhNode;
 
 // 320 bytes: one vertex and two edges of up to 8 triangles, and their global primitive ids in
-// ascending order; BVH_NONE marks an empty slot, whose triangle is degenerate.
+// ascending order; BVH_NONE marks an empty slot, whose triangle is degenerate. In a watertight tree
+// e1 and e2 are the two other vertices: those that triangles share then have the same bits.
 typedef struct {
     float v0_x[BVH_LEAF_WIDTH], v0_y[BVH_LEAF_WIDTH], v0_z[BVH_LEAF_WIDTH];
     float e1_x[BVH_LEAF_WIDTH], e1_y[BVH_LEAF_WIDTH], e1_z[BVH_LEAF_WIDTH];

@@ -55,7 +55,7 @@ Trees plan_trees(std::span<const Geometry> geometries, const Hanging& hanging,
         const uint32_t geometry = hanging.instanced[i];
         trees[geometry].emplace(
             make_references(geometries, std::span(&geometry, 1), options.parallel),
-            std::span<const WideSize>(), options);
+            std::span<const WideSize>(), geometries, options);
     });
     return trees;
 }
@@ -71,7 +71,7 @@ WideTree plan_world(std::span<const Geometry> geometries, std::span<const Placem
         references.emplace_back(world, Reference::INSTANCE, i);
         sizes[i] = tree.size();
     }
-    return WideTree(std::move(references), sizes, options);
+    return WideTree(std::move(references), sizes, geometries, options);
 }
 
 void store_rows(const glm::mat4& matrix, float (&rows)[12]) {
@@ -131,6 +131,7 @@ Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> p
     check_limits(total, placements.size());
 
     Bvh bvh;
+    bvh.watertight = options.watertight;
     bvh.nodes.resize(total.node);
     bvh.blocks.resize(total.block);
     bvh.spheres.resize(total.sphere);

@@ -34,7 +34,17 @@ struct Placement {
     glm::mat4 object_to_world{1.0f};
 };
 
+/// How a tree is split.
+enum class BvhBuilder {
+    sah,            ///< by surface-area heuristic, then made 16 wide: the production tree
+    median,         ///< in halves by centre, to one primitive a leaf, two children a node (C13)
+    median_spatial, ///< the same, but triangles that straddle a cut are cut in two
+    none,           ///< not at all: a list of blocks whose boxes exclude nothing
+};
+
 struct BvhOptions {
+    BvhBuilder builder = BvhBuilder::sah;
+    bool watertight = false;     ///< leaf blocks hold corners, not edges; see TriangleBlock
     uint32_t bins = 32;          ///< of the surface-area heuristic, per axis
     float traversal_cost = 1.0f; ///< of entering a wide node
     float leaf_cost = 1.0f;      ///< of testing one leaf block or sphere
@@ -60,6 +70,7 @@ struct Bvh {
     uint32_t root = 0;          ///< child word
     uint32_t stack_size = 1;    ///< entries that a traversal may need at once, over both levels
     bool has_instances = false; ///< false when no leaf of the tree is an instance
+    bool watertight = false;    ///< as in the options
     BvhStatistics statistics;
 };
 
@@ -68,8 +79,9 @@ struct Bvh {
 /// have no instance. All such geometries share one tree, the world's, in which the instances are
 /// leaves; each instanced geometry has a tree of its own. Placed geometries may be empty. The
 /// bounds in the nodes have the margin that the kernels' slab test counts on to be conservative.
-/// Deterministic, whatever the number of threads. Throws InputError beyond 2^28 blocks, nodes,
-/// spheres or placements.
+/// The other builders are laboratory ones: the same hits from plainer trees; with spatial cuts a
+/// triangle may be in several leaves. Deterministic, whatever the number of threads. Throws
+/// InputError beyond 2^28 blocks, nodes, spheres or placements.
 Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> placements,
               const BvhOptions& options = {});
 

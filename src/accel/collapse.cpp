@@ -8,7 +8,10 @@ namespace onde::accel {
 
 Collapse::Collapse(BinaryTree tree, const BvhOptions& options)
     : tree_(std::move(tree)), options_(options), shares_(tree_.node_count) {
-    if (!tree_.is_empty()) plan(0);
+    // Without a plan every node keeps its two children.
+    const bool plain =
+        options.builder == BvhBuilder::median || options.builder == BvhBuilder::median_spatial;
+    if (!tree_.is_empty() && !plain) plan(0);
 }
 
 Collapse::Costs Collapse::plan_leaf(const BinaryNode& node) const {

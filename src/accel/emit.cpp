@@ -15,11 +15,13 @@ void set_slot(BvhNode& node, uint32_t slot, const Box& box, uint32_t word) {
     node.child[slot] = word;
 }
 
-void set_triangle(TriangleBlock& block, uint32_t lane, const Geometry& geometry, uint32_t index) {
+void set_triangle(TriangleBlock& block, uint32_t lane, const Geometry& geometry, uint32_t index,
+                  bool watertight) {
     const glm::uvec3 corners = geometry.triangles[index];
     const glm::vec3 v0 = geometry.positions[corners.x];
-    const glm::vec3 e1 = geometry.positions[corners.y] - v0;
-    const glm::vec3 e2 = geometry.positions[corners.z] - v0;
+    const glm::vec3 from = watertight ? glm::vec3(0.0f) : v0;
+    const glm::vec3 e1 = geometry.positions[corners.y] - from;
+    const glm::vec3 e2 = geometry.positions[corners.z] - from;
     block.v0_x[lane] = v0.x, block.v0_y[lane] = v0.y, block.v0_z[lane] = v0.z;
     block.e1_x[lane] = e1.x, block.e1_y[lane] = e1.y, block.e1_z[lane] = e1.z;
     block.e2_x[lane] = e2.x, block.e2_y[lane] = e2.y, block.e2_z[lane] = e2.z;
@@ -96,7 +98,8 @@ class Emitter {
         block = {};
         std::fill_n(block.primitive, BVH_LEAF_WIDTH, BVH_NONE);
         for (uint32_t lane = 0; lane < leaf.count; ++lane)
-            set_triangle(block, lane, geometries_[members[lane].owner()], members[lane].index());
+            set_triangle(block, lane, geometries_[members[lane].owner()], members[lane].index(),
+                         out_.watertight);
     }
 
     void emit_sphere(const Reference& reference, BvhSphere& sphere) const {

@@ -1,6 +1,7 @@
 #include "accel/wide.h"
 
 #include "accel/parallel.h"
+#include "accel/plain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +12,27 @@ namespace {
 
 constexpr uint32_t TASK_SIZE = 16384;
 
+BinaryTree split_tree(std::vector<Reference> references, std::span<const Geometry> geometries,
+                      const BvhOptions& options) {
+    switch (options.builder) {
+    case BvhBuilder::median:
+        return build_median(std::move(references));
+    case BvhBuilder::median_spatial:
+        return build_median_spatial(std::move(references), geometries);
+    case BvhBuilder::none:
+        return build_list(std::move(references));
+    case BvhBuilder::sah:
+        break;
+    }
+    return build_binary(std::move(references), options);
+}
+
 } // namespace
 
 WideTree::WideTree(std::vector<Reference> references, std::span<const WideSize> instances,
-                   const BvhOptions& options)
-    : collapse_(build_binary(std::move(references), options), options), parallel_(options.parallel),
-      sizes_(collapse_.tree().node_count) {
+                   std::span<const Geometry> geometries, const BvhOptions& options)
+    : collapse_(split_tree(std::move(references), geometries, options), options),
+      parallel_(options.parallel), sizes_(collapse_.tree().node_count) {
     const BinaryTree& tree = collapse_.tree();
     if (tree.is_empty())
         root_size_ = {.nodes = 1, .depth = 1};

@@ -31,7 +31,7 @@ class WideTree {
   public:
     /// instances[i] is the size of the tree that placement i shows.
     WideTree(std::vector<Reference> references, std::span<const WideSize> instances,
-             const BvhOptions& options);
+             std::span<const Geometry> geometries, const BvhOptions& options);
 
     WideSize size() const { return root_size_; }
     /// Unpadded bounds.

@@ -46,7 +46,7 @@ void run(const InspectRequest& request) {
     const gpu::Device device = gpu::open_device(request.render.device);
     const Scene scene = load_requested_scene(request.render);
     const RenderOptions options = resolve_options(request.render, scene, device.facts());
-    const DeviceScene placed(device, pack_scene(scene));
+    const DeviceScene placed(device, pack_scene(scene, request.render.bvh));
     const gpu::ProgramCache cache;
     const IntegratorContext context{device,  sources, request.render.no_cache ? nullptr : &cache,
                                     &scene,  placed,  scene.cameras.at(options.camera),

@@ -6,6 +6,7 @@
 #include "app/inspect_command.h"
 #include "app/render_command.h"
 #include "app/usage_error.h"
+#include "app/volumes_command.h"
 
 #include "core/error.h"
 #include "core/log.h"
@@ -35,6 +36,7 @@ int main(int argc, char** argv) try {
     onde::app::add_render_command(app, interrupted);
     onde::app::add_info_command(app);
     onde::app::add_inspect_command(app);
+    onde::app::add_volumes_command(app);
     onde::app::add_compare_command(app);
     onde::app::add_devices_command(app);
     onde::app::add_cache_command(app);

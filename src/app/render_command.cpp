@@ -7,6 +7,7 @@
 #include "core/log.h"
 #include "core/timer.h"
 #include "render/memory_plan.h"
+#include "render/test_map.h"
 #include "scene/load.h"
 #include "upload/device_scene.h"
 
@@ -67,6 +68,21 @@ void write_pictures(const std::vector<std::filesystem::path>& outputs, const Ima
     }
 }
 
+void write_test_maps(const std::vector<std::filesystem::path>& outputs,
+                     const IntegratorContext& context, const ImageMetadata& metadata) {
+    const TestMap map = count_pixel_tests(context);
+    for (const auto& output : outputs) {
+        const std::filesystem::path path = aov_path(output, "tests");
+        if (path.extension() == ".exr")
+            write_exr(path, test_numbers(map), metadata, ExrDepth::full_float);
+        else
+            write_png(path, heat_picture(map), {}, metadata);
+        spdlog::info("wrote {}", std::filesystem::absolute(path).string());
+    }
+    spdlog::info("{} tests of boxes and primitives by camera rays, {:.1f} per pixel, {} at most",
+                 map.sum(), double(map.sum()) / (double(map.width) * map.height), map.largest());
+}
+
 void warn_of_invalid(const Film::Invalid& invalid) {
     if (invalid.count == 0) return;
     spdlog::warn("{} samples were not finite and were left out; the first was sample {} of pixel "
@@ -108,7 +124,7 @@ bool run(const RenderRequest& request) {
     check_memory(plan, device.facts());
 
     const Timer packing;
-    PackedScene packed = pack_scene(scene);
+    PackedScene packed = pack_scene(scene, request.bvh);
     plan.scene = packed.device_buffers();
     check_memory(plan, device.facts());
     const DeviceScene device_scene(device, std::move(packed));
@@ -119,9 +135,15 @@ bool run(const RenderRequest& request) {
     const gpu::ProgramCache cache;
     gpu::Profiler profiler;
     const bool profiled = request.stats || !request.json.empty();
-    const auto integrator = make_integrator(
-        {device, sources, request.no_cache ? nullptr : &cache, &scene, device_scene,
-         scene.cameras[report.options.camera], report.options, profiled ? &profiler : nullptr});
+    const IntegratorContext context{device,
+                                    sources,
+                                    request.no_cache ? nullptr : &cache,
+                                    &scene,
+                                    device_scene,
+                                    scene.cameras[report.options.camera],
+                                    report.options,
+                                    profiled ? &profiler : nullptr};
+    const auto integrator = make_integrator(context);
     report.kernels = integrator->build_report();
     report.state_bytes = integrator->state_bytes();
     report.film_bytes = total_bytes(plan.film);
@@ -141,6 +163,7 @@ bool run(const RenderRequest& request) {
     const Timer writing;
     write_pictures(outputs, integrator->film().develop(device), request, scene,
                    describe_picture(report));
+    if (request.tests_aov) write_test_maps(outputs, context, describe_picture(report));
     report.write_seconds = writing.seconds();
     report.total_seconds = total.seconds();
     if (profiled) report.kernel_times = profiler.totals();

@@ -28,6 +28,11 @@ const std::map<std::string, gpu::Launch> LAUNCHES{{"staged", gpu::Launch::staged
                                                   {"fused", gpu::Launch::fused}};
 const std::map<std::string, gpu::QueueKind> QUEUES{{"chunk-local", gpu::QueueKind::chunk_local},
                                                    {"global", gpu::QueueKind::global}};
+const std::map<std::string, BvhBuilder> BUILDERS{{"sah", BvhBuilder::sah},
+                                                 {"median", BvhBuilder::median},
+                                                 {"median-spatial", BvhBuilder::median_spatial},
+                                                 {"none", BvhBuilder::none}};
+const std::map<std::string, bool> AOVS{{"tests", true}};
 const std::map<std::string, bool> SWITCH{{"on", true}, {"off", false}};
 const std::map<std::string, Filter> FILTERS{{"box", Filter::box},
                                             {"tent", Filter::tent},
@@ -101,6 +106,9 @@ void declare_picture(CLI::App& command, RenderRequest& r) {
         ->type_name("STOPS");
     add_choice(command, "--tone-map", r.tone_map, TONE_MAPS,
                "How the .png rolls off highlights (none)");
+    add_choice(command, "--aov", r.tests_aov, AOVS,
+               "Also write OUTPUT.tests: boxes and primitives that each pixel's camera ray tests,\n"
+               "as numbers in .exr, as colours in .png");
     command.add_flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
 }
 
@@ -112,6 +120,10 @@ void declare_estimator(CLI::App& command, RenderRequest& r) {
     command.add_option("--seed", r.seed, "Of the random numbers; same seed, same picture (0)")
         ->type_name("N");
     add_choice(command, "--filter", r.filter, FILTERS, "Pixel filter (blackman-harris)");
+    add_choice(command, "--bvh", r.bvh.builder, BUILDERS,
+               "Tree of boxes: production (sah), or a plain one to compare with");
+    command.add_flag("--watertight", r.bvh.watertight,
+                     "Let no ray slip between triangles that share an edge or a corner");
 }
 
 void declare_engine(CLI::App& command, RenderRequest& r) {
@@ -233,6 +245,11 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
     return options;
 }
 
+std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name) {
+    std::filesystem::path path = output;
+    return path.replace_extension(name + output.extension().string());
+}
+
 std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request) {
     std::vector<std::filesystem::path> outputs = request.outputs;
     if (outputs.empty()) outputs.push_back(request.scene.stem().string() + ".png");
@@ -241,6 +258,7 @@ std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request)
             throw InputError("{}: pictures are written as .png or .exr; change the extension",
                              path.string());
         check_writable(path);
+        if (request.tests_aov) check_writable(aov_path(path, "tests"));
     }
     if (!request.json.empty()) check_writable(request.json);
     return outputs;

@@ -1,6 +1,7 @@
 // What the user asked of `onde render`, as the command line gives it: every option optional.
 #pragma once
 
+#include "accel/bvh.h"
 #include "image/image_io.h"
 #include "render/options.h"
 
@@ -16,6 +17,7 @@ namespace onde::app {
 struct RenderRequest {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs;
+    bool tests_aov = false;
     std::string size;
     std::optional<uint32_t> samples, depth, seed, wave_size, chunk, width, tree_slots;
     std::optional<double> seconds;
@@ -25,6 +27,7 @@ struct RenderRequest {
     std::optional<gpu::QueueKind> queue;
     std::optional<bool> packets;
     std::optional<Filter> filter;
+    BvhOptions bvh;
     std::string device, camera, environment;
     float environment_rotation = 0.0f;
     std::optional<float> exposure;
@@ -49,6 +52,9 @@ void check_request(const RenderRequest& request);
 /// The request over the scene's own settings over the defaults. Throws InputError.
 RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
                               const gpu::DeviceFacts& facts);
+
+/// Where a picture's companion of that name goes: out.png's "tests" to out.tests.png.
+std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name);
 
 /// The outputs, or SCENE's name with .png in the current folder when none was given; each must be
 /// .png or .exr and be writable. Throws InputError.

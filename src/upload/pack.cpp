@@ -16,12 +16,14 @@ std::vector<std::string> SceneFeatures::defines() const {
             fmt::format("ONDE_NORMAL_MAPS={:d}", normal_maps),
             fmt::format("ONDE_DIELECTRICS={:d}", dielectrics),
             fmt::format("ONDE_ENVIRONMENT={:d}", environment),
+            fmt::format("ONDE_WATERTIGHT={:d}", watertight),
             fmt::format("ONDE_STACK_SIZE={}", stack_size)};
 }
 
 static SceneFeatures find_features(const Scene& scene, const PackedScene& packed) {
     SceneFeatures features;
     features.instances = packed.bvh.has_instances;
+    features.watertight = packed.bvh.watertight;
     features.spheres = !scene.spheres.empty();
     features.textures = !scene.textures.empty();
     for (const Material& material : scene.materials) {

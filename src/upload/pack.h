@@ -17,6 +17,7 @@ struct SceneFeatures {
     bool instances = false, spheres = false, textures = false, normal_maps = false;
     bool dielectrics = false, environment = false;
     uint32_t stack_size = 1;
+    bool watertight = false;
 
     /// As definitions for the kernels: "ONDE_TEXTURES=1", ...
     std::vector<std::string> defines() const;

@@ -193,6 +193,8 @@ TEST_CASE("an option with a value that makes no sense is refused by its name") {
         {{"--chunk", "48"}, "chunk 48 is not a power of two"},
         {{"--camera", "left"}, "--camera left: no such camera; the scene has 0"},
         {{"--engine", "steam"}, "--engine: steam not in"},
+        {{"--bvh", "octree"}, "--bvh: octree not in"},
+        {{"--aov", "depths"}, "--aov: depths not in"},
         {{"--environment", "missing.hdr"}, "missing.hdr: no such file"},
         {{"--environment", "zeros.hdr"}, "zeros.hdr"},
         {{"--kernels", "missing"}, "missing: no such folder"},
@@ -283,4 +285,31 @@ TEST_CASE("triangles without area are rendered as if they were not there") {
     for (const float value : onde::read_image(folder / "flat.exr").pixels)
         CHECK((value >= 0 && value < 1e3f));
     CHECK_THAT(outcome.err, !Catch::Contains("not finite"));
+}
+
+TEST_CASE("the laboratory refuses what it cannot measure") {
+    Folder folder;
+    furnish(folder);
+    struct Case {
+        Arguments arguments;
+        std::string culprit;
+    };
+    const Case cases[] = {
+        {{"missing.toml"}, "missing.toml: no such file"},
+        {{"empty.toml"}, "empty.toml"},
+        {{"future.toml"}, "the scene has no triangles to put volumes around"},
+        {{CORNELL, "--rays", "0"}, "--rays 0 is out of range"},
+        {{CORNELL, "--rays", "many"}, "--rays = many"},
+        {{CORNELL, "--trials", "-1"}, "--trials -1 is out of range"},
+        {{CORNELL, "--trials", "nan"}, "--trials nan is out of range"},
+        {{CORNELL, "--plot", "plot.png"}, "plot.png: plots are written as .svg"},
+        {{CORNELL, "--plot", "no/such.svg"}, "the folder no does not exist"},
+        {{CORNELL, "--kernels", "missing"}, "missing: no such folder"},
+        {{"flat.toml", "--frob"}, "--frob: no such option"},
+    };
+    for (const Case& c : cases) {
+        Arguments arguments{"volumes"};
+        arguments.insert(arguments.end(), c.arguments.begin(), c.arguments.end());
+        check_refused(folder, arguments, c.culprit);
+    }
 }

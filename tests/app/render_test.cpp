@@ -188,3 +188,43 @@ TEST_CASE("a second Ctrl-C ends the program at once and leaves the old picture a
     CHECK(outcome.signal == SIGINT);
     CHECK(folder.files() == before);
 }
+
+TEST_CASE("--aov tests writes what each pixel tests beside every picture") {
+    const Folder folder;
+    const Outcome outcome =
+        onde::test::onde(folder, render(CORNELL, {"-o", "a.png", "-o", "b.exr", "--aov", "tests"}));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(folder.files().size() == 4);
+    check_is_picture(folder / "a.tests.png");
+    double sum = 0;
+    const onde::Image counts = onde::read_image(folder / "b.tests.exr");
+    for (size_t i = 0; i < counts.pixels.size(); i += 3) {
+        CHECK(counts.pixels[i] + counts.pixels[i + 1] == counts.pixels[i + 2]);
+        sum += counts.pixels[i + 2];
+    }
+    CHECK_THAT(outcome.err, Catch::Contains(std::to_string(long(sum)) + " tests of boxes"));
+}
+
+TEST_CASE("plain trees and the watertight option render the production tree's picture") {
+    const Folder folder;
+    const std::vector<float> expected = pixels_of(folder, "a.exr", {});
+    CHECK(pixels_of(folder, "b.exr", {"--bvh", "median"}) == expected);
+    CHECK(pixels_of(folder, "c.exr", {"--bvh", "median-spatial"}) == expected);
+    CHECK(pixels_of(folder, "d.exr", {"--bvh", "none"}) == expected);
+    CHECK(pixels_of(folder, "e.exr", {"--watertight"}).size() == expected.size());
+}
+
+TEST_CASE("onde volumes prints a line for every volume and hierarchy, and plots them") {
+    const Folder folder;
+    const Outcome outcome = onde::test::onde(
+        folder, {"volumes", CORNELL, "--rays", "4096", "--trials", "1e4", "--plot", "plot.svg"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    for (const char* name : {"box", "oriented box", "7 slabs", "13 slabs", "sphere", "none",
+                             "median", "median, spatial cuts", "SAH, 16 wide"}) {
+        CHECK_THAT(outcome.out, Catch::Contains(std::string("\n") + name + " "));
+        CHECK_THAT(content(folder / "plot.svg"), Catch::Contains(std::string(">") + name + "<"));
+    }
+    CHECK_THAT(outcome.out, Catch::Contains("sphere                rejected 0 rays that hit"));
+}

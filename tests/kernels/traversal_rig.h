@@ -27,11 +27,11 @@ struct Hit {
     float t, u, v;
     uint32_t primitive, instance;
 };
-bool operator==(const Hit& a, const Hit& b) {
+inline bool operator==(const Hit& a, const Hit& b) {
     return std::memcmp(&a, &b, sizeof(Hit)) == 0;
 }
 
-const Device& device() {
+inline const Device& device() {
     static const Device opened = open_device();
     return opened;
 }
@@ -178,7 +178,7 @@ class BruteForce {
     mutable double best_ = 0;
 };
 
-std::vector<Ray> random_rays(size_t count, unsigned seed, float spread = 2.0f) {
+inline std::vector<Ray> random_rays(size_t count, unsigned seed, float spread = 2.0f) {
     Generator generator(seed);
     std::vector<Ray> rays(count);
     for (Ray& ray : rays) {
@@ -189,7 +189,7 @@ std::vector<Ray> random_rays(size_t count, unsigned seed, float spread = 2.0f) {
 }
 
 /// A pinhole's rays through a square of pixels, tile by tile, so that packets are coherent.
-std::vector<Ray> pinhole_rays(uint32_t side, glm::vec3 eye, glm::vec3 target, float spread) {
+inline std::vector<Ray> pinhole_rays(uint32_t side, glm::vec3 eye, glm::vec3 target, float spread) {
     const glm::vec3 forward = glm::normalize(target - eye);
     const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(0.1f, 1, 0)));
     const glm::vec3 up = glm::cross(right, forward);
@@ -204,24 +204,24 @@ std::vector<Ray> pinhole_rays(uint32_t side, glm::vec3 eye, glm::vec3 target, fl
     return rays;
 }
 
-std::vector<Ray> join(std::vector<Ray> a, const std::vector<Ray>& b) {
+inline std::vector<Ray> join(std::vector<Ray> a, const std::vector<Ray>& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
 }
 
-bool same_primitive(const Hit& a, const Hit& b) {
+inline bool same_primitive(const Hit& a, const Hit& b) {
     return a.primitive == b.primitive && a.instance == b.instance;
 }
-bool is_hit(const Hit& hit) {
+inline bool is_hit(const Hit& hit) {
     return hit.primitive != BVH_NONE;
 }
 
-bool same_distance(float a, float b, float tolerance = 1e-4f) {
+inline bool same_distance(float a, float b, float tolerance = 1e-4f) {
     return std::abs(a - b) <= tolerance * std::max(1.0f, std::abs(b));
 }
 
 /// Requires the kernel's answer on every ray that is not a close call.
-void check_against_brute_force(const World& world, const std::vector<Ray>& rays) {
+inline void check_against_brute_force(const World& world, const std::vector<Ray>& rays) {
     Tracer tracer(world);
     const std::vector<Hit> hits = tracer.closest(rays);
     const std::vector<uint32_t> blocked = tracer.occluded(rays);
@@ -246,7 +246,7 @@ void check_against_brute_force(const World& world, const std::vector<Ray>& rays)
     CHECK(misses < rays.size());
 }
 
-World grove() {
+inline World grove() {
     Generator generator(17);
     std::vector<Placement> placements = {{0, glm::mat4(1.0f)}};
     for (uint32_t i = 0; i < 20; ++i)
@@ -259,7 +259,7 @@ World grove() {
 
 /// The number of places at which two lists of results differ in any bit.
 template <class T>
-size_t differences(const std::vector<T>& a, const std::vector<T>& b) {
+inline size_t differences(const std::vector<T>& a, const std::vector<T>& b) {
     REQUIRE(a.size() == b.size());
     size_t count = 0;
     for (size_t i = 0; i < a.size(); ++i) count += !(a[i] == b[i]);
@@ -267,7 +267,7 @@ size_t differences(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 /// Embree's closest hits of the world's first geometry.
-std::vector<float> embree_distances(const Soup& soup, const std::vector<Ray>& rays) {
+inline std::vector<float> embree_distances(const Soup& soup, const std::vector<Ray>& rays) {
     RTCDevice embree = rtcNewDevice(nullptr);
     RTCScene scene = rtcNewScene(embree);
     RTCGeometry geometry = rtcNewGeometry(embree, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -309,7 +309,7 @@ std::vector<float> embree_distances(const Soup& soup, const std::vector<Ray>& ra
     return distances;
 }
 
-void check_against_embree(Soup soup, const std::vector<Ray>& rays) {
+inline void check_against_embree(Soup soup, const std::vector<Ray>& rays) {
     const World world(std::move(soup));
     const std::vector<Hit> hits = Tracer(world).closest(rays);
     const std::vector<float> expected = embree_distances(world.soups[0], rays);
@@ -322,7 +322,7 @@ void check_against_embree(Soup soup, const std::vector<Ray>& rays) {
     CHECK(different <= 20 * rays.size() / 1'000'000 + 1);
 }
 
-std::vector<Ray> varied_rays() {
+inline std::vector<Ray> varied_rays() {
     return join(pinhole_rays(256, {1.2f, 0.9f, 1.5f}, {0, 0, 0}, 1.2f), random_rays(60000, 41));
 }
 

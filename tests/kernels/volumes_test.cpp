@@ -1,7 +1,8 @@
 // Bounding volumes (C12): they are tight, and no ray that hits the object is rejected by one.
 #include "accel/soups.h"
 #include "kernels/columns.h"
-#include "render/volume_trials.h"
+#include "lab/random_lines.h"
+#include "lab/volume_trials.h"
 
 #include <catch2/catch.hpp>
 
@@ -43,21 +44,6 @@ std::vector<glm::vec3> cloud(size_t count, unsigned seed) {
     std::vector<glm::vec3> points(count);
     for (glm::vec3& p : points) p = uniform_point(generator, -1, 1) * glm::vec3(3, 1, 0.2f);
     return points;
-}
-
-/// Directions and points of a uniform measure of lines that meet the ball: each passes through a
-/// random point of the disk across it.
-std::vector<VolumeRay> lines_through(glm::vec3 center, float radius, size_t count, unsigned seed) {
-    Generator generator(seed);
-    std::vector<VolumeRay> rays(count);
-    for (VolumeRay& ray : rays) {
-        const glm::vec3 d = unit_vector(generator);
-        const glm::vec3 other = std::abs(d.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-        const glm::vec3 s = glm::normalize(glm::cross(d, other)), t = glm::cross(d, s);
-        const float r = radius * std::sqrt(unit(generator)), a = 6.2831853f * unit(generator);
-        ray = {center + r * (std::cos(a) * s + std::sin(a) * t) - 4 * radius * d, d};
-    }
-    return rays;
 }
 
 } // namespace
@@ -111,7 +97,7 @@ TEST_CASE("of lines that meet a ball, a convex volume is met by its share of the
     const glm::vec3 center(volumes.sphere.center[0], volumes.sphere.center[1],
                            volumes.sphere.center[2]);
     const float radius = 1.5f * volumes.sphere.radius;
-    const VolumeRays rays(device(), lines_through(center, radius, COUNT, 3));
+    const VolumeRays rays(device(), random_lines(center, radius, COUNT, 3));
     VolumeTester tester = tester_of(volumes, 16);
     for (VolumeKind kind : VOLUME_KINDS) {
         const std::vector<uint32_t> met = tester.met(kind, rays);

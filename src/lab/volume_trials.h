@@ -1,15 +1,10 @@
 // The property that makes a volume a bounding one: no ray that hits the object is rejected.
 #pragma once
 
-#include "render/volume_tester.h"
+#include "lab/triangle_soup.h"
+#include "lab/volume_tester.h"
 
 namespace onde {
-
-/// Triangles in one space.
-struct TriangleSoup {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::uvec3> triangles;
-};
 
 struct VolumeTrials {
     uint64_t rays = 0;

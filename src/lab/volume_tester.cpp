@@ -1,4 +1,4 @@
-#include "render/volume_tester.h"
+#include "lab/volume_tester.h"
 
 #include "core/timer.h"
 

@@ -1,0 +1,92 @@
+#include "app/volumes_command.h"
+
+#include "app/volumes_report.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "gpu/settings.h"
+#include "scene/load.h"
+
+#include <cmath>
+#include <fstream>
+#include <memory>
+
+namespace onde::app {
+namespace {
+
+struct VolumesRequest {
+    std::filesystem::path scene, plot, kernels;
+    std::string device;
+    uint32_t rays = 1u << 18;
+    double trials = 0;
+    bool no_cache = false;
+};
+
+void check(const VolumesRequest& request) {
+    if (request.rays < 64 || request.rays > 1u << 24)
+        throw InputError("--rays {} is out of range; use 64 to {}", request.rays, 1u << 24);
+    if (!(request.trials >= 0 && request.trials <= 1e12))
+        throw InputError("--trials {} is out of range; use 0 to 1e12", request.trials);
+    if (request.plot.empty()) return;
+    if (request.plot.extension() != ".svg")
+        throw InputError("{}: plots are written as .svg; change the extension",
+                         request.plot.string());
+    check_writable(request.plot);
+}
+
+void write_plot(const std::filesystem::path& path, const std::string& svg) {
+    replace_file(path, [&](const std::filesystem::path& temporary) {
+        std::ofstream out(temporary);
+        out << svg;
+        if (!out.flush()) throw InputError("{}: cannot be written", path.string());
+    });
+}
+
+void run(const VolumesRequest& request) {
+    set_up_logging(false);
+    check(request);
+    const gpu::KernelSources sources = request.kernels.empty()
+                                           ? gpu::KernelSources::embedded()
+                                           : gpu::KernelSources::folder(request.kernels);
+    const gpu::Device device = gpu::open_device(request.device);
+    const TriangleSoup object = scene_triangles(load_scene(request.scene));
+    const FittedVolumes volumes = fit_volumes(object.positions);
+    const gpu::ProgramCache programs;
+    const gpu::ProgramCache* cache = request.no_cache ? nullptr : &programs;
+    VolumeTester tester(device, sources, cache, volumes,
+                        gpu::default_settings(device.facts()).width);
+    const LabReport report =
+        run_laboratory(device, sources, cache, object, volumes, tester, request.rays);
+    fmt::print("{}", lab_text(report));
+    if (request.trials > 0)
+        fmt::print("{}",
+                   trials_text(try_volumes(device, tester, object, uint64_t(request.trials), 1)));
+    if (!request.plot.empty())
+        write_plot(request.plot, lab_svg(report, request.scene.filename().string()));
+}
+
+} // namespace
+
+void add_volumes_command(CLI::App& app) {
+    const auto request = std::make_shared<VolumesRequest>(); // CLI11 copies its callbacks
+    CLI::App* command = app.add_subcommand(
+        "volumes", "Compare bounding volumes and hierarchies of boxes around a scene's triangles");
+    command->add_option("scene", request->scene, "A .gltf, .glb, .obj or .toml file")
+        ->required()
+        ->type_name("SCENE");
+    command->add_option("--rays", request->rays, "Random lines (262144)")->type_name("N");
+    command
+        ->add_option("--trials", request->trials,
+                     "Also check that no volume rejects a hit, with that many rays, such as 1e8")
+        ->type_name("N");
+    command->add_option("--plot", request->plot, "Write the figures as a picture, .svg")
+        ->type_name("FILE");
+    command->add_option("--device", request->device,
+                        "Device by number or part of its name (see onde devices)");
+    command->add_option("--kernels", request->kernels, "Read kernels from this folder")
+        ->type_name("DIR");
+    command->add_flag("--no-cache", request->no_cache, "Compile kernels anew");
+    command->callback([request] { run(*request); });
+}
+
+} // namespace onde::app

@@ -1,0 +1,10 @@
+// `onde volumes SCENE`: the bounding-volume laboratory (C12, C13).
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace onde::app {
+
+void add_volumes_command(CLI::App& app);
+
+} // namespace onde::app

@@ -49,7 +49,11 @@ void run(const VolumesRequest& request) {
                                            ? gpu::KernelSources::embedded()
                                            : gpu::KernelSources::folder(request.kernels);
     const gpu::Device device = gpu::open_device(request.device);
-    const TriangleSoup object = scene_triangles(load_scene(request.scene));
+    const Scene scene = load_scene(request.scene);
+    const TriangleSoup object = scene_triangles(scene);
+    if (const size_t left_out = scene.spheres.size() + scene.shapes.size())
+        spdlog::info("volumes are put around triangles; left out: {} spheres or other shapes",
+                     left_out);
     const FittedVolumes volumes = fit_volumes(object.positions);
     const gpu::ProgramCache programs;
     const gpu::ProgramCache* cache = request.no_cache ? nullptr : &programs;

@@ -34,6 +34,15 @@ void check(const VolumesRequest& request) {
     check_writable(request.plot);
 }
 
+/// Beyond these, squares and products of floats are lost.
+void check_size(const SphereVolume& sphere) {
+    constexpr float SMALLEST = 1e-7f, LARGEST = 1e9f;
+    if (sphere.radius == 0 || (sphere.radius >= SMALLEST && sphere.radius <= LARGEST)) return;
+    throw InputError("the scene's triangles fill a sphere of radius {:g}; the laboratory measures "
+                     "{:g} to {:g}: scale the scene",
+                     sphere.radius, SMALLEST, LARGEST);
+}
+
 void write_plot(const std::filesystem::path& path, const std::string& svg) {
     replace_file(path, [&](const std::filesystem::path& temporary) {
         std::ofstream out(temporary);
@@ -55,6 +64,7 @@ void run(const VolumesRequest& request) {
         spdlog::info("volumes are put around triangles; left out: {} spheres or other shapes",
                      left_out);
     const FittedVolumes volumes = fit_volumes(object.positions);
+    check_size(volumes.sphere);
     const gpu::ProgramCache programs;
     const gpu::ProgramCache* cache = request.no_cache ? nullptr : &programs;
     VolumeTester tester(device, sources, cache, volumes,

@@ -66,6 +66,8 @@ void furnish(const Folder& folder) {
         "look_at = [0, 0, 0]\n";
     folder.write("future.toml", ball + "[render]\nintegrator = \"painter\"\n");
     folder.write("screen.toml", ball + "screen = { size = [4, 2], distance = 3 }\n");
+    folder.write("tiny.toml", "[[shape]]\ntype = \"mesh\"\ntriangles = [[0, 1, 2]]\n"
+                              "positions = [[1e-30, 0, 0], [0, 1e-30, 0], [0, 0, 1e-30]]\n");
     folder.write("empty.obj", "");
     folder.write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
     folder.write("flat.toml", // with what makes its kernels those of the Cornell box
@@ -298,6 +300,7 @@ TEST_CASE("the laboratory refuses what it cannot measure") {
         {{"missing.toml"}, "missing.toml: no such file"},
         {{"empty.toml"}, "empty.toml"},
         {{"future.toml"}, "the scene has no triangles to put volumes around"},
+        {{"tiny.toml"}, "sphere of radius 8.16497e-31; the laboratory measures 1e-07 to 1e+09"},
         {{CORNELL, "--rays", "0"}, "--rays 0 is out of range"},
         {{CORNELL, "--rays", "many"}, "--rays = many"},
         {{CORNELL, "--trials", "-1"}, "--trials -1 is out of range"},

@@ -11,6 +11,7 @@ namespace {
 World watertight_world(Soup soup) {
     World world(std::move(soup));
     world.bvh = build_bvh(world.geometries, world.placements, {.watertight = true});
+    REQUIRE(validate_bvh(world.bvh, world.geometries, world.placements) == "");
     return world;
 }
 

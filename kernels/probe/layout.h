@@ -7,11 +7,37 @@
 #include "shared/frame.h"
 #include "shared/inspect.h"
 #include "shared/light_tracing.h"
+#include "shared/raster.h"
 #include "shared/scene.h"
 #include "shared/volumes.h"
 #include "shared/whitted.h"
 
 #define SHARED_LAYOUT(SIZE, OFFSET)                                                                \
+    SIZE(RasterRecord)                                                                             \
+    OFFSET(RasterRecord, background)                                                               \
+    OFFSET(RasterRecord, width)                                                                    \
+    OFFSET(RasterRecord, height)                                                                   \
+    OFFSET(RasterRecord, instance_count)                                                           \
+    OFFSET(RasterRecord, triangle_count)                                                           \
+    OFFSET(RasterRecord, primitive_count)                                                          \
+    OFFSET(RasterRecord, subpixels)                                                                \
+    OFFSET(RasterRecord, unused)                                                                   \
+    SIZE(RasterInstance)                                                                           \
+    OFFSET(RasterInstance, to_screen)                                                              \
+    OFFSET(RasterInstance, first_primitive)                                                        \
+    OFFSET(RasterInstance, first_triangle)                                                         \
+    OFFSET(RasterInstance, unused)                                                                 \
+    SIZE(RasterSphere)                                                                             \
+    OFFSET(RasterSphere, center)                                                                   \
+    OFFSET(RasterSphere, radius_pixels)                                                            \
+    OFFSET(RasterSphere, radius)                                                                   \
+    OFFSET(RasterSphere, material)                                                                 \
+    OFFSET(RasterSphere, unused)                                                                   \
+    SIZE(RasterMaterial)                                                                           \
+    OFFSET(RasterMaterial, color)                                                                  \
+    OFFSET(RasterMaterial, texture)                                                                \
+    OFFSET(RasterMaterial, alpha)                                                                  \
+    OFFSET(RasterMaterial, unused)                                                                 \
     SIZE(LightTracingRecord)                                                                       \
     OFFSET(LightTracingRecord, center)                                                             \
     OFFSET(LightTracingRecord, radius)                                                             \

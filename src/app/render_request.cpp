@@ -21,9 +21,11 @@ constexpr float MOST_STOPS = 64.0f;
 const std::map<std::string, Engine> ENGINES{{"wavefront", Engine::wavefront},
                                             {"megakernel", Engine::megakernel}};
 // A line here makes an integrator reachable.
-const std::map<std::string, IntegratorKind> INTEGRATORS{{"path", IntegratorKind::path},
-                                                        {"whitted", IntegratorKind::whitted},
-                                                        {"light", IntegratorKind::light}};
+const std::map<std::string, IntegratorKind> INTEGRATORS{
+    {"path", IntegratorKind::path},
+    {"whitted", IntegratorKind::whitted},
+    {"light", IntegratorKind::light},
+    {"depth-buffer", IntegratorKind::depth_buffer}};
 const std::map<std::string, gpu::Launch> LAUNCHES{{"staged", gpu::Launch::staged},
                                                   {"fused", gpu::Launch::fused}};
 const std::map<std::string, gpu::QueueKind> QUEUES{{"chunk-local", gpu::QueueKind::chunk_local},

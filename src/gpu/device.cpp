@@ -65,6 +65,8 @@ void learn_device(const cl::Device& device, DeviceFacts& facts) {
     facts.max_work_group_size = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
     facts.correctly_rounded_divide_sqrt =
         device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT;
+    const std::string extensions = device.getInfo<CL_DEVICE_EXTENSIONS>();
+    facts.int64_atomics = extensions.find("cl_khr_int64_extended_atomics") != std::string::npos;
     facts.problem = shortcoming(device);
 }
 

@@ -23,6 +23,7 @@ struct DeviceFacts {
     uint64_t max_allocation = 0; ///< bytes in one buffer
     size_t max_work_group_size = 1;
     bool correctly_rounded_divide_sqrt = false;
+    bool int64_atomics = false; ///< cl_khr_int64_extended_atomics: 64-bit minimum and the like
     std::string problem; ///< empty, or why it can't be used
 };
 

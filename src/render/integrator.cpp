@@ -2,6 +2,7 @@
 #include "render/integrator.h"
 
 #include "core/error.h"
+#include "render/raster_depth_buffer.h"
 #include "render/wave_integrator.h"
 #include "render/whitted_engine.h"
 
@@ -17,6 +18,8 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
         });
     case IntegratorKind::light:
         return make_light_integrator(context);
+    case IntegratorKind::depth_buffer:
+        return make_depth_buffer(context, best_depth_atomics(context.device.facts()));
     default:
         throw InputError("this integrator is not built yet; use --integrator path");
     }

@@ -28,7 +28,9 @@ MemoryPlan plan_memory(const RenderOptions& options) {
     if (options.integrator == IntegratorKind::light) {
         plan.film.push_back({"splats", pixels * SPLAT_WORDS * sizeof(uint32_t)});
         plan.paths = {{"light paths", light_state_size(options.settings) * sizeof(float)}};
-    } else if (options.integrator == IntegratorKind::whitted)
+    } else if (options.integrator == IntegratorKind::depth_buffer)
+        plan.film.push_back({"depth buffer", pixels * sizeof(uint64_t)});
+    else if (options.integrator == IntegratorKind::whitted)
         plan.paths = TreeMemory::plan(options);
     else if (options.engine == Engine::wavefront)
         plan.paths = WaveMemory::plan(options.settings);

@@ -1,0 +1,284 @@
+// The depth buffer (C1) against a rasteriser in double precision that shares nothing with it, in
+// any order of the objects and by both kinds of atomics.
+#include "render/raster_picture.h"
+
+#include "render/raster_shapes.h"
+
+#include <optional>
+
+namespace onde::test {
+namespace {
+
+struct Fragment {
+    double depth;
+    uint32_t material;
+};
+
+/// What one pixel's centre sees, in double precision; nothing where rounding may decide.
+class PixelJudge {
+  public:
+    PixelJudge(const Scene& scene, uint32_t width, uint32_t height)
+        : scene_(scene), height_(height), width_(width),
+          pixel_(double(scene.cameras[0].orthographic_height) / height) {}
+
+    std::optional<glm::vec3> color(uint32_t x, uint32_t y) {
+        place_ = {(x + 0.5 - width_ / 2.0) * pixel_, (height_ / 2.0 - y - 0.5) * pixel_};
+        fragments_.clear();
+        doubtful_ = false;
+        for (const Instance& instance : scene_.instances) judge(instance);
+        for (const Sphere& sphere : scene_.spheres) judge(sphere);
+        std::ranges::sort(fragments_, {}, &Fragment::depth);
+        if (fragments_.size() > 1)
+            doubtful_ |= fragments_[1].depth - fragments_[0].depth < 1e-5 &&
+                         fragments_[1].material != fragments_[0].material;
+        if (doubtful_) return std::nullopt;
+        if (fragments_.empty()) return *scene_.whitted.background;
+        return scene_.materials[fragments_[0].material].base_color;
+    }
+
+  private:
+    static double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+    double distance_to_edge(glm::dvec2 a, glm::dvec2 b) const {
+        const glm::dvec2 edge = b - a;
+        const double length2 = std::max(glm::dot(edge, edge), 1e-30);
+        const double along = std::clamp(glm::dot(place_ - a, edge) / length2, 0.0, 1.0);
+        return glm::length(place_ - a - along * edge);
+    }
+
+    void judge(const Instance& instance) {
+        const Mesh& mesh = scene_.meshes[instance.mesh];
+        for (size_t i = 0; i < mesh.triangles.size(); i++) {
+            glm::dvec2 p[3];
+            double z[3];
+            for (uint32_t k = 0; k < 3; k++) {
+                const glm::dvec4 corner(mesh.positions[mesh.triangles[i][k]], 1);
+                const glm::dvec4 placed = glm::dmat4(instance.object_to_world) * corner;
+                p[k] = glm::dvec2(placed);
+                z[k] = placed.z;
+            }
+            for (int k = 0; k < 3; k++) // corners are rounded to 1/256 of a pixel
+                doubtful_ |= distance_to_edge(p[k], p[(k + 1) % 3]) < pixel_ / 256;
+            const double area = cross(p[1] - p[0], p[2] - p[0]);
+            const double b = cross(place_ - p[0], p[2] - p[0]) / area;
+            const double c = cross(p[1] - p[0], place_ - p[0]) / area;
+            if (!(b >= 0 && c >= 0 && b + c <= 1)) continue;
+            add(10 - (z[0] + b * (z[1] - z[0]) + c * (z[2] - z[0])), mesh.materials[i]);
+        }
+    }
+
+    void judge(const Sphere& sphere) {
+        const double r = sphere.radius;
+        const double d = glm::length(place_ - glm::dvec2(sphere.center));
+        doubtful_ |= std::abs(d - r) < pixel_ / 256;
+        if (d >= r) return;
+        const double half = std::sqrt(r * r - d * d);
+        add(10 - sphere.center.z - half, sphere.material);
+        add(10 - sphere.center.z + half, sphere.material);
+    }
+
+    void add(double depth, uint32_t material) {
+        if (depth > 0) fragments_.push_back({depth, material});
+    }
+
+    const Scene& scene_;
+    uint32_t height_, width_;
+    double pixel_;
+    glm::dvec2 place_{0};
+    std::vector<Fragment> fragments_;
+    bool doubtful_ = false;
+};
+
+/// Compares every pixel that is not doubtful; at most `most_doubtful` of all may be.
+void check_against_judge(const Scene& scene, const Image& image, double most_doubtful) {
+    PixelJudge judge(scene, image.width, image.height);
+    size_t doubtful = 0, wrong = 0;
+    std::string first;
+    for (uint32_t y = 0; y < image.height; y++)
+        for (uint32_t x = 0; x < image.width; x++) {
+            const auto expected = judge.color(x, y);
+            const glm::vec3 got = color_at(image, x, y);
+            doubtful += !expected;
+            if (!expected || got == *expected) continue;
+            if (wrong++ == 0)
+                first = fmt::format("pixel {},{}: red {} instead of {}", x, y, got.x, expected->x);
+        }
+    INFO(first << "; " << wrong << " wrong, " << doubtful << " doubtful");
+    CHECK(wrong == 0);
+    CHECK(double(doubtful) <= most_doubtful * image.width * image.height);
+}
+
+template <class T>
+std::vector<T> permuted(const std::vector<T>& values, Generator& generator) {
+    std::vector<T> result = values;
+    std::ranges::shuffle(result, generator);
+    return result;
+}
+
+constexpr DepthAtomics BOTH[] = {DepthAtomics::wide, DepthAtomics::narrow};
+
+} // namespace
+
+TEST_CASE("the depth buffer shows what a rasteriser in double precision finds nearest") {
+    for (uint32_t seed : {1u, 2u, 3u}) {
+        const Scene scene = random_raster_scene(seed);
+        check_scene(scene);
+        check_against_judge(scene, draw_depth(scene, best_depth_atomics(device().facts())), 0.06);
+    }
+}
+
+TEST_CASE("64-bit and 32-bit atomics settle the same bits") {
+    if (!device().facts().int64_atomics) return;
+    const Scene scene = random_raster_scene(4);
+    const auto options = raster_options(IntegratorKind::depth_buffer, 200, 150, 4);
+    CHECK(first_pixel_difference(draw_depth(scene, DepthAtomics::narrow, options),
+                                 draw_depth(scene, DepthAtomics::wide, options)) == "");
+}
+
+TEST_CASE("objects in any order make the same bits") {
+    const Scene scene = random_raster_scene(5);
+    const auto options = raster_options(IntegratorKind::depth_buffer, 200, 150);
+    Generator generator(6);
+    for (DepthAtomics atomics : BOTH) {
+        if (atomics == DepthAtomics::wide && !device().facts().int64_atomics) continue;
+        const Image expected = draw_depth(scene, atomics, options);
+        for (int i = 0; i < 3; i++) {
+            Scene shuffled = scene;
+            shuffled.instances = permuted(scene.instances, generator);
+            shuffled.spheres = permuted(scene.spheres, generator);
+            CHECK(first_pixel_difference(draw_depth(shuffled, atomics, options), expected) == "");
+        }
+    }
+}
+
+TEST_CASE("of equally near triangles the first one is seen") {
+    Scene scene = empty_raster_scene();
+    for (int i = 0; i < 3; i++) add_card(scene, {-9, -9}, {9, 9}, 1, add_color(scene));
+    for (DepthAtomics atomics : BOTH) {
+        if (atomics == DepthAtomics::wide && !device().facts().int64_atomics) continue;
+        const Image image = draw_depth(scene, atomics);
+        CHECK(color_at(image, 40, 40) == scene.materials[0].base_color);
+        CHECK(color_at(image, 95, 79) == scene.materials[0].base_color);
+    }
+}
+
+TEST_CASE("triangles that share an edge leave no gap") {
+    // A fan around a corner that lies on a pixel's centre. Gaps show the background.
+    Scene scene = empty_raster_scene();
+    Mesh mesh;
+    mesh.positions = {{0.025f, 0.025f, 0}};
+    for (int i = 0; i < 97; i++) {
+        const float angle = 6.2831853f * float(i) / 97;
+        mesh.positions.push_back({9 * std::cos(angle), 9 * std::sin(angle), 0});
+        mesh.triangles.push_back({0, 1 + uint32_t(i), 1 + uint32_t(i + 1) % 97});
+        mesh.materials.push_back(add_color(scene));
+    }
+    scene.meshes = {mesh};
+    scene.instances = {{0, glm::mat4(1)}};
+    const Image image = draw_depth(scene, DepthAtomics::narrow);
+    size_t gaps = 0;
+    for (uint32_t y = 0; y < image.height; y++)
+        for (uint32_t x = 0; x < image.width; x++)
+            gaps += color_at(image, x, y) == *scene.whitted.background;
+    CHECK(gaps == 0);
+}
+
+TEST_CASE("a triangle far larger than the picture, slivers, points and what lies off the screen") {
+    Scene scene = empty_raster_scene();
+    add_triangle(scene, {-1e5f, -1e5f, 0}, {1e5f, -1e5f, 0}, {0, 2e5f, 0}, add_color(scene));
+    add_triangle(scene, {0, 0, 1}, {1, 1, 1}, {2, 2, 1}, add_color(scene));               // no area
+    add_triangle(scene, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, add_color(scene));               // a point
+    add_triangle(scene, {50, 50, 1}, {51, 50, 1}, {50, 51, 1}, add_color(scene));         // beside
+    add_triangle(scene, {-1, -1, 11}, {1, -1, 11}, {0, 1, 11}, add_color(scene));         // behind
+    add_triangle(scene, {-1, -1, 0.5f}, {1, 0.9f, 0.5f}, {1, 1, 0.5f}, add_color(scene)); // thin
+    scene.spheres = {{{0, 0, 12}, 1, add_color(scene)}, {{40, 0, 0}, 1, add_color(scene)}};
+    check_scene(scene);
+    for (DepthAtomics atomics : BOTH) {
+        if (atomics == DepthAtomics::wide && !device().facts().int64_atomics) continue;
+        check_against_judge(scene, draw_depth(scene, atomics), 0.05);
+    }
+}
+
+TEST_CASE("inside a ball its far half is seen") {
+    Scene scene = empty_raster_scene();
+    scene.spheres = {{{0, 0, 10}, 5, add_color(scene)}};
+    const Image image = draw_depth(scene, DepthAtomics::narrow);
+    CHECK(color_at(image, 0, 0) == scene.materials[0].base_color);
+    CHECK(color_at(image, 48, 40) == scene.materials[0].base_color);
+}
+
+TEST_CASE("a scene without anything shows the background") {
+    Scene scene = empty_raster_scene();
+    CHECK(color_at(draw_depth(scene, DepthAtomics::narrow), 3, 4) == *scene.whitted.background);
+}
+
+TEST_CASE("a pixel is the mean of its samples") {
+    Scene scene = empty_raster_scene();
+    scene.whitted.background = glm::vec3(0);
+    const uint32_t white = add_color(scene);
+    scene.materials[white].base_color = glm::vec3(1);
+    add_card(scene, {-9, -9}, {0.0125f, 9}, 0, white); // ends a quarter into pixel 48
+    const Image image = draw_depth(scene, DepthAtomics::narrow,
+                                   raster_options(IntegratorKind::depth_buffer, 96, 80, 64));
+    CHECK(color_at(image, 47, 40).x == 1.0f);
+    CHECK(std::abs(color_at(image, 48, 40).x - 0.25f) <= 1.0f / 32);
+    CHECK(color_at(image, 49, 40).x == 0.0f);
+}
+
+TEST_CASE("analytic shapes are drawn as fine meshes on their surfaces") {
+    const auto distance = [](const Shape& shape, glm::dvec3 p) {
+        const double ring = std::hypot(p.x, p.z);
+        switch (shape.kind) {
+        case ShapeKind::sphere:
+            return glm::length(p) - 1;
+        case ShapeKind::disk:
+            return std::max(std::abs(p.y), ring - 1);
+        case ShapeKind::cylinder:
+            return std::max(ring - 1, std::abs(p.y) - 1);
+        case ShapeKind::cone:
+            return std::max(ring + p.y - 1, -p.y);
+        default:
+            return std::hypot(ring - 1, p.y) - double(shape.minor_radius);
+        }
+    };
+    for (ShapeKind kind : {ShapeKind::sphere, ShapeKind::disk, ShapeKind::cylinder, ShapeKind::cone,
+                           ShapeKind::torus}) {
+        Shape shape;
+        shape.kind = kind;
+        const Mesh mesh = shape_mesh(shape);
+        double worst = 0, volume = 0;
+        for (const glm::uvec3& t : mesh.triangles) {
+            const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+            for (const glm::dvec3& p : {a, b, c})
+                if (kind != ShapeKind::disk) worst = std::max(worst, std::abs(distance(shape, p)));
+            volume += glm::dot(a, glm::cross(b, c)) / 6; // above 0 where fronts look outward
+        }
+        constexpr double EXPECTED[] = {4 * M_PI / 3, 0, 2 * M_PI, M_PI / 3, 2 * M_PI * M_PI / 16};
+        INFO("kind " << int(kind) << ", volume " << volume << ", off by " << worst);
+        CHECK(worst < 1e-6);
+        CHECK(std::abs(volume - EXPECTED[int(kind)]) <= 1e-3 * EXPECTED[int(kind)]);
+    }
+}
+
+TEST_CASE("shapes lie in the picture where they are placed") {
+    Scene scene = empty_raster_scene();
+    Shape ball;
+    ball.material = add_color(scene);
+    ball.object_to_world[3] = glm::vec4(1, 0.5f, 2, 1);
+    scene.shapes = {ball};
+    Scene sphere = scene;
+    sphere.shapes.clear();
+    sphere.spheres = {{{1, 0.5f, 2}, 1, ball.material}};
+    const Image a = draw_depth(scene, DepthAtomics::narrow);
+    const Image b = draw_depth(sphere, DepthAtomics::narrow);
+    size_t covered = 0, different = 0;
+    for (uint32_t y = 0; y < a.height; y++)
+        for (uint32_t x = 0; x < a.width; x++) {
+            covered += color_at(b, x, y) != *scene.whitted.background;
+            different += color_at(a, x, y) != color_at(b, x, y);
+        }
+    CHECK(covered > 1000);
+    CHECK(different <= 2);
+}
+
+} // namespace onde::test

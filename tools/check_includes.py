@@ -34,7 +34,7 @@ KERNEL_ARROWS = {
     "raster": {"shared", "lib", "film"},
     "inspect": {"shared", "lib", "path", "whitted", "film", "wavefront"},
     "bench": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
-    "probe": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
+    "probe": {"shared", "lib", "path", "whitted", "light_tracing", "film", "raster"},
 }
 
 # System headers that only some places may see: pattern, who may, why.

@@ -25,7 +25,8 @@ const std::map<std::string, IntegratorKind> INTEGRATORS{
     {"path", IntegratorKind::path},
     {"whitted", IntegratorKind::whitted},
     {"light", IntegratorKind::light},
-    {"depth-buffer", IntegratorKind::depth_buffer}};
+    {"depth-buffer", IntegratorKind::depth_buffer},
+    {"painter", IntegratorKind::painter}};
 const std::map<std::string, gpu::Launch> LAUNCHES{{"staged", gpu::Launch::staged},
                                                   {"fused", gpu::Launch::fused}};
 const std::map<std::string, gpu::QueueKind> QUEUES{{"chunk-local", gpu::QueueKind::chunk_local},
@@ -160,14 +161,6 @@ void declare_reports(CLI::App& command, RenderRequest& r) {
     command.add_flag("--quiet", r.quiet, "Print warnings and errors only");
 }
 
-/// Scene files know the names of integrators that are still to come.
-void check_integrator(IntegratorKind kind) {
-    for (const auto& [name, known] : INTEGRATORS)
-        if (known == kind) return;
-    throw InputError("the scene asks for an integrator that is not built yet; choose another by "
-                     "--integrator");
-}
-
 /// Waves are rounded up to whole chunks.
 void resolve_settings(const RenderRequest& request, gpu::DeviceSettings& settings) {
     settings.width = request.width.value_or(settings.width);
@@ -238,7 +231,6 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
     if (!scene.cameras.empty())
         check_screen(scene.cameras[options.camera], options.width, options.height);
     options.integrator = request.integrator.value_or(own.integrator.value_or(options.integrator));
-    check_integrator(options.integrator);
     options.tree_slots = request.tree_slots.value_or(options.tree_slots);
     options.engine = request.engine.value_or(options.engine);
     options.settings = gpu::default_settings(facts);

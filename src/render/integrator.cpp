@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "render/raster_depth_buffer.h"
+#include "render/raster_painter.h"
 #include "render/wave_integrator.h"
 #include "render/whitted_engine.h"
 
@@ -20,9 +21,10 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
         return make_light_integrator(context);
     case IntegratorKind::depth_buffer:
         return make_depth_buffer(context, best_depth_atomics(context.device.facts()));
-    default:
-        throw InputError("this integrator is not built yet; use --integrator path");
+    case IntegratorKind::painter:
+        return make_painter(context);
     }
+    throw InputError("this integrator is not known");
 }
 
 std::unique_ptr<Integrator>

@@ -30,6 +30,8 @@ MemoryPlan plan_memory(const RenderOptions& options) {
         plan.paths = {{"light paths", light_state_size(options.settings) * sizeof(float)}};
     } else if (options.integrator == IntegratorKind::depth_buffer)
         plan.film.push_back({"depth buffer", pixels * sizeof(uint64_t)});
+    else if (options.integrator == IntegratorKind::painter)
+        plan.film.push_back({"canvas", pixels * sizeof(cl_float4)});
     else if (options.integrator == IntegratorKind::whitted)
         plan.paths = TreeMemory::plan(options);
     else if (options.engine == Engine::wavefront)

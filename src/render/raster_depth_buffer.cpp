@@ -49,8 +49,7 @@ class DepthBuffer : public Integrator {
     RayCounts ray_counts() const override { return {}; }
     const gpu::BuildReport& build_report() const override { return program_.report(); }
     uint64_t state_bytes() const override {
-        return scene_.bytes() + nearest_.size() * sizeof(uint64_t) +
-               large_.size() * sizeof(uint32_t);
+        return scene_.bytes() + large_.size() * sizeof(uint32_t);
     }
     std::vector<std::string> findings() const override { return scene_.notes(); }
 

@@ -64,7 +64,6 @@ void furnish(const Folder& folder) {
         "[[shape]]\ntype = \"sphere\"\n[[light]]\ntype = \"directional\"\n"
         "direction = [0, -1, 0]\nirradiance = 1\n[camera]\nposition = [0, 0, 5]\n"
         "look_at = [0, 0, 0]\n";
-    folder.write("future.toml", ball + "[render]\nintegrator = \"painter\"\n");
     folder.write("screen.toml", ball + "screen = { size = [4, 2], distance = 3 }\n");
     folder.write("tiny.toml", "[[shape]]\ntype = \"mesh\"\ntriangles = [[0, 1, 2]]\n"
                               "positions = [[1e-30, 0, 0], [0, 1e-30, 0], [0, 0, 1e-30]]\n");
@@ -145,7 +144,6 @@ TEST_CASE("a scene that is no good is refused by its name") {
         {"empty.toml", "empty.toml"},
         {"light.toml", "light.toml:5:9: light[0].edge2"},
         {"itself.toml", "itself.toml"},
-        {"future.toml", "integrator that is not built yet"},
         {"screen.toml", "pixels of 0.25 x 0.166667"},
         {"empty.obj", "empty.obj"},
         {"index.obj", "index.obj"},
@@ -299,7 +297,6 @@ TEST_CASE("the laboratory refuses what it cannot measure") {
     const Case cases[] = {
         {{"missing.toml"}, "missing.toml: no such file"},
         {{"empty.toml"}, "empty.toml"},
-        {{"future.toml"}, "the scene has no triangles to put volumes around"},
         {{"tiny.toml"}, "sphere of radius 8.16497e-31; the laboratory measures 1e-07 to 1e+09"},
         {{CORNELL, "--rays", "0"}, "--rays 0 is out of range"},
         {{CORNELL, "--rays", "many"}, "--rays = many"},

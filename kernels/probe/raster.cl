@@ -1,0 +1,8 @@
+// Probes of what the painter sorts by.
+#include "probe/probe.h"
+#include "raster/sort_key.h"
+
+// In: a depth. Out: its key. For width 1.
+PROBE(far_to_near_key) {
+    output(items, 0, far_to_near_key(input(items, 0)));
+}

@@ -2,6 +2,7 @@
 // any order of the objects and by both kinds of atomics.
 #include "render/raster_picture.h"
 
+#include "render/raster_camera.h"
 #include "render/raster_shapes.h"
 
 #include <optional>
@@ -223,6 +224,90 @@ TEST_CASE("a pixel is the mean of its samples") {
     CHECK(color_at(image, 47, 40).x == 1.0f);
     CHECK(std::abs(color_at(image, 48, 40).x - 0.25f) <= 1.0f / 32);
     CHECK(color_at(image, 49, 40).x == 0.0f);
+}
+
+TEST_CASE("textures are read where the triangle's coordinates say") {
+    Scene scene = empty_raster_scene();
+    const uint32_t material = add_color(scene);
+    Texture texture;
+    texture.image = {2, 1, {255, 0, 0, 255, 0, 255, 0, 255}};
+    texture.wrap_u = texture.wrap_v = Wrap::clamp;
+    scene.textures = {texture};
+    scene.materials[material].base_color = glm::vec3(0.5f);
+    scene.materials[material].base_color_texture = 0;
+    add_card(scene, {-2.4f, -2}, {2.4f, 2}, 0, material);
+    for (Mesh& mesh : scene.meshes)
+        for (const glm::vec3& p : mesh.positions)
+            mesh.uvs.push_back({(p.x + 2.4f) / 4.8f, (2 - p.y) / 4});
+    scene.spheres = {{{0, 0, 1}, 0.5f, material}};
+    const Image image = draw_depth(scene, DepthAtomics::narrow);
+    CHECK(color_at(image, 2, 3) == glm::vec3(0.5f, 0, 0)); // beyond the outer texels' centres
+    CHECK(color_at(image, 93, 70) == glm::vec3(0, 0.5f, 0));
+    const glm::vec3 quarter = color_at(image, 36, 5); // u = 36.5 / 96
+    CHECK(std::abs(quarter.y - 0.5f * (2 * 36.5f / 96 - 0.5f)) < 1e-5f);
+    CHECK(color_at(image, 48, 40) == glm::vec3(0.5f)); // a ball has no coordinates
+    const PackedRaster packed = pack_raster(scene, scene.cameras[0], small_options(96, 80, 1));
+    REQUIRE(packed.notes.size() == 1);
+    CHECK(packed.notes[0].find("textures of 1 spheres were ignored") != std::string::npos);
+}
+
+TEST_CASE("a perspective camera sees as much at the scene's centre, and says so") {
+    const auto middle_card = [] {
+        Scene scene = empty_raster_scene();
+        add_card(scene, {-1, -1}, {1, 1}, 0, add_color(scene));
+        return scene;
+    };
+    Scene by_angle = middle_card(), by_screen = middle_card();
+    by_angle.cameras[0].orthographic_height = 0; // at distance 10, the height is 4
+    by_angle.cameras[0].vertical_fov = 2 * std::atan(0.2f);
+    by_screen.cameras[0].orthographic_height = 0;
+    by_screen.cameras[0].screen = ScreenWindow{{0.96f, 0.8f}, 2, std::nullopt};
+    const Image expected = draw_depth(middle_card(), DepthAtomics::narrow);
+    for (const Scene& scene : {by_angle, by_screen}) {
+        CHECK(first_pixel_difference(draw_depth(scene, DepthAtomics::narrow), expected) == "");
+        const PackedRaster packed = pack_raster(scene, scene.cameras[0], small_options(96, 80, 1));
+        REQUIRE(packed.notes.size() == 1);
+        CHECK(packed.notes[0].find("sees 4 units") != std::string::npos);
+    }
+}
+
+TEST_CASE("without a background of its own a scene shows what its environment has ahead") {
+    Scene scene = empty_raster_scene();
+    scene.whitted.background.reset();
+    scene.environment.radiance = glm::vec3(0.5f, 1, 2);
+    CHECK(color_at(draw_depth(scene, DepthAtomics::narrow), 9, 9) == glm::vec3(0.5f, 1, 2));
+    Image map(4, 2, 3);
+    map.pixels.assign(map.pixels.size(), 0.0f);
+    for (size_t row = 0; row < 2; row++) map.pixels[(row * 4 + 2) * 3] = 3; // just right of -Z
+    scene.environment.map = map;
+    scene.cameras[0] = camera_at({0, 0, 10}, {0.1f, 0.1f, 0}, 0.7f);
+    scene.cameras[0].orthographic_height = 4;
+    CHECK(raster_background(scene, scene.cameras[0]) == glm::vec3(1.5f, 0, 0));
+}
+
+TEST_CASE("a scene that reaches too far for exact arithmetic is refused with its reach") {
+    Scene scene = empty_raster_scene();
+    add_triangle(scene, {0, 0, 0}, {1e9f, 0, 0}, {0, 1e9f, 0}, add_color(scene));
+    REQUIRE_THROWS_WITH(pack_raster(scene, scene.cameras[0], small_options(96, 80, 1)),
+                        Catch::Matchers::Contains("2e+10 pixels"));
+    scene.meshes[0].positions = {{0, 0, 0}, {1e6f, 0, 0}, {0, 1e6f, 0}}; // with fewer sub-pixels
+    CHECK(pack_raster(scene, scene.cameras[0], small_options(96, 80, 1)).record.subpixels == 16);
+    const Image image = draw_depth(scene, DepthAtomics::narrow);
+    CHECK(color_at(image, 60, 20) == scene.materials[0].base_color);
+    CHECK(color_at(image, 40, 20) == *scene.whitted.background);
+}
+
+TEST_CASE("a render that is stopped keeps whole samples only") {
+    const Scene scene = random_raster_scene(8);
+    const DeviceScene placed = place_on_device(scene);
+    const gpu::KernelSources sources = kernel_sources();
+    const RenderOptions options = raster_options(IntegratorKind::depth_buffer, 96, 80, 8);
+    const auto integrator = make_depth_buffer(
+        {device(), sources, &test_cache(), &scene, placed, scene.cameras[0], options, nullptr},
+        DepthAtomics::narrow);
+    integrator->render_pass(0, 8, [](double share) { return share < 0.25; });
+    const std::vector<cl_float4> sums = integrator->film().sums().read(device());
+    for (const cl_float4& sum : sums) REQUIRE(sum.s[3] == 2);
 }
 
 TEST_CASE("analytic shapes are drawn as fine meshes on their surfaces") {

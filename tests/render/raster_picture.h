@@ -5,6 +5,8 @@
 #include "render/picture.h"
 #include "render/raster_depth_buffer.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace onde::test {
 
 /// Looks down the -Z axis from (0, 0, 10); y is up, 4 units from top to bottom.
@@ -52,6 +54,24 @@ inline glm::vec3 random_vector(Generator& generator, float size) {
     return {x, y, z};
 }
 
+/// Turned, stretched and half of them mirrored copies of one mesh.
+inline void add_placed_copies(Scene& scene, Generator& generator, int copies) {
+    Mesh mesh;
+    for (int i = 0; i < 24; i++) mesh.positions.push_back(random_vector(generator, 0.5f));
+    for (uint32_t i = 0; i < 24; i += 3) {
+        mesh.triangles.push_back({i, i + 1, i + 2});
+        mesh.materials.push_back(add_color(scene));
+    }
+    scene.meshes.push_back(mesh);
+    for (int i = 0; i < copies; i++) {
+        const glm::vec3 axis = random_vector(generator, 1) + glm::vec3(0, 0, 1.5f);
+        glm::mat4 place = glm::rotate(glm::mat4(1), 6 * unit(generator), glm::normalize(axis));
+        place = glm::scale(place, glm::vec3(i % 2 ? -1 : 1, 0.5f + unit(generator), 1.5f));
+        place[3] = glm::vec4(random_vector(generator, 2), 1);
+        scene.instances.push_back({uint32_t(scene.meshes.size() - 1), place});
+    }
+}
+
 /// Triangles of every size and balls, thrown at random through each other.
 inline Scene random_raster_scene(uint32_t seed) {
     Generator generator(seed);
@@ -62,6 +82,7 @@ inline Scene random_raster_scene(uint32_t seed) {
         const glm::vec3 b = random_vector(generator, size), c = random_vector(generator, size);
         add_triangle(scene, center, center + b, center + c, add_color(scene));
     }
+    add_placed_copies(scene, generator, 6);
     for (int i = 0; i < 12; i++) {
         const glm::vec3 center = random_vector(generator, 2.0f);
         scene.spheres.push_back({center, 0.1f + 0.5f * unit(generator), add_color(scene)});

@@ -30,45 +30,54 @@ __kernel void depth_keys(uint count, uint chunk, RASTER_PARAMETERS, __global uin
     }
 }
 
-INLINE Span tiles_of(Span pixels) {
-    return make_span(pixels.begin / TILE, (pixels.end + TILE - 1) / TILE);
+// Columns begin, end and rows begin, end of the tiles that a primitive's box touches.
+INLINE ushort4 touched_tiles(const Primitive* p) {
+    if (box_size(p) == 0) return (ushort4)(0);
+    return (ushort4)((ushort)(p->columns.begin / TILE), (ushort)((p->columns.end - 1) / TILE + 1),
+                     (ushort)(p->rows.begin / TILE), (ushort)((p->rows.end - 1) / TILE + 1));
 }
 
-// Counts, by block and tile, the primitives whose boxes touch the tile: those at `first` to
+// By primitive, so that the two kernels below, which go by the order, read 8 bytes each.
+__kernel void find_tiles(uint count, uint chunk, RASTER_PARAMETERS, __global ushort4* touched) {
+    if (count == 0) return;
+    RASTER_VIEW(view);
+    const Range range = whole_range(count, chunk);
+    for (uint i = range.begin; i < range.end; i++) {
+        const Primitive p = load_primitive(view, i);
+        touched[i] = touched_tiles(&p);
+    }
+}
+
+// Counts, by block and tile, the primitives that touch the tile: those at `first` to
 // first + count - 1 of the order, `block` per work item.
-__kernel void count_tiles(uint count, uint block, RASTER_PARAMETERS, uint first,
-                          __global const uint* order, uint tiles_across, uint tiles,
+__kernel void count_tiles(uint count, uint block, uint first, __global const uint* order,
+                          __global const ushort4* touched, uint tiles_across, uint tiles,
                           __global uint* table) {
     const Range range = whole_range(count, block);
     if (range.begin == range.end) return;
-    RASTER_VIEW(view);
     __global uint* row = table + get_global_id(0) * (size_t)tiles;
     for (uint t = 0; t < tiles; t++) row[t] = 0;
     for (uint i = range.begin; i < range.end; i++) {
-        const Primitive p = load_primitive(view, order[first + i]);
-        if (box_size(&p) == 0) continue;
-        const Span x = tiles_of(p.columns), y = tiles_of(p.rows);
-        for (int ty = y.begin; ty < y.end; ty++)
-            for (int tx = x.begin; tx < x.end; tx++) row[(uint)ty * tiles_across + (uint)tx]++;
+        const ushort4 box = touched[order[first + i]];
+        for (uint y = box.z; y < box.w; y++)
+            for (uint x = box.x; x < box.y; x++) row[y * tiles_across + x]++;
     }
 }
 
 // Writes the lists. table: as scanned, how many of earlier blocks a tile has; begins: by tile.
-__kernel void fill_tiles(uint count, uint block, RASTER_PARAMETERS, uint first,
-                         __global const uint* order, uint tiles_across, uint tiles,
+__kernel void fill_tiles(uint count, uint block, uint first, __global const uint* order,
+                         __global const ushort4* touched, uint tiles_across, uint tiles,
                          __global uint* table, __global const uint* begins, __global uint* lists) {
     const Range range = whole_range(count, block);
     if (range.begin == range.end) return;
-    RASTER_VIEW(view);
     __global uint* row = table + get_global_id(0) * (size_t)tiles;
     for (uint i = range.begin; i < range.end; i++) {
-        const Primitive p = load_primitive(view, order[first + i]);
-        if (box_size(&p) == 0) continue;
-        const Span x = tiles_of(p.columns), y = tiles_of(p.rows);
-        for (int ty = y.begin; ty < y.end; ty++)
-            for (int tx = x.begin; tx < x.end; tx++) {
-                const uint t = (uint)ty * tiles_across + (uint)tx;
-                lists[begins[t] + row[t]++] = order[first + i];
+        const uint number = order[first + i];
+        const ushort4 box = touched[number];
+        for (uint y = box.z; y < box.w; y++)
+            for (uint x = box.x; x < box.y; x++) {
+                const uint t = y * tiles_across + x;
+                lists[begins[t] + row[t]++] = number;
             }
     }
 }

@@ -30,6 +30,7 @@ class TilePainter : public Painter {
           sort_(c.device, c.sources, c.cache, scene_.primitives(), c.options.settings.local_size),
           program_(build_raster(c, "painter.cl",
                                 {{"depth_keys", shares(scene_.primitives(), chunk())},
+                                 {"find_tiles", shares(scene_.primitives(), chunk())},
                                  {"count_tiles", tiles_.most_blocks()},
                                  {"scan_columns", tiles_.count()},
                                  {"fill_tiles", tiles_.most_blocks()},
@@ -102,8 +103,9 @@ class TilePainter : public Painter {
         clear.set_from(0, pixels(), chunk());
         clear.set_from(scene_.bind(clear, 2), canvas_);
         clear.launch(shares(pixels(), chunk()), context_.profiler);
+        tiles_.find(program_, scene_, chunk(), context_.profiler);
         for (uint32_t first = 0; first < scene_.primitives();) {
-            first += tiles_.list(program_, scene_, order_, first, scene_.primitives() - first,
+            first += tiles_.list(program_, order_, first, scene_.primitives() - first,
                                  context_.profiler);
             paint();
             if (!keep_going()) return false;

@@ -20,32 +20,39 @@ RasterTiles::RasterTiles(const gpu::Device& device, const RasterRecord& record,
     : device_(device), across_(tiles_along(record.width)), down_(tiles_along(record.height)),
       most_blocks_(std::clamp(MOST_COUNTERS / count(), 1u, MOST_BLOCKS)),
       table_(device, size_t(most_blocks_) * count()), totals_(device, count()),
-      begins_(device, count() + 1), lists_(device, std::max(most_entries, count())) {}
+      begins_(device, count() + 1), lists_(device, std::max(most_entries, count())),
+      touched_(device, record.primitive_count) {}
 
 uint32_t RasterTiles::most_primitives() const {
     return uint32_t(std::min(MOST_PRIMITIVES, UINT32_MAX / uint64_t(count()))); // counts fit
 }
 
-uint32_t RasterTiles::list(gpu::Program& program, const RasterScene& scene,
-                           const gpu::Buffer<uint32_t>& order, uint32_t first, uint32_t count,
-                           gpu::Profiler* profiler) {
+void RasterTiles::find(gpu::Program& program, const RasterScene& scene, uint32_t chunk,
+                       gpu::Profiler* profiler) {
+    const uint32_t count = scene.primitives();
+    gpu::Kernel& kernel = program.kernel("find_tiles");
+    kernel.set_from(0, count, chunk);
+    kernel.set_from(scene.bind(kernel, 2), touched_);
+    kernel.launch((size_t(count) + chunk - 1) / chunk, profiler);
+}
+
+uint32_t RasterTiles::list(gpu::Program& program, const gpu::Buffer<uint32_t>& order,
+                           uint32_t first, uint32_t count, gpu::Profiler* profiler) {
     count = std::min(count, most_primitives());
-    while (count_entries(program, scene, order, first, count, profiler) > lists_.size()) count /= 2;
+    while (count_entries(program, order, first, count, profiler) > lists_.size()) count /= 2;
     gpu::Kernel& fill = program.kernel("fill_tiles");
-    fill.set_from(0, count, block(count));
-    fill.set_from(scene.bind(fill, 2), first, order, across_, this->count(), table_, begins_,
-                  lists_);
+    fill.set_from(0, count, block(count), first, order, touched_, across_, this->count(), table_,
+                  begins_, lists_);
     fill.launch((count + block(count) - 1) / block(count), profiler);
     return count;
 }
 
-uint64_t RasterTiles::count_entries(gpu::Program& program, const RasterScene& scene,
-                                    const gpu::Buffer<uint32_t>& order, uint32_t first,
-                                    uint32_t count, gpu::Profiler* profiler) {
+uint64_t RasterTiles::count_entries(gpu::Program& program, const gpu::Buffer<uint32_t>& order,
+                                    uint32_t first, uint32_t count, gpu::Profiler* profiler) {
     const uint32_t blocks = (count + block(count) - 1) / block(count);
     gpu::Kernel& counting = program.kernel("count_tiles");
-    counting.set_from(0, count, block(count));
-    counting.set_from(scene.bind(counting, 2), first, order, across_, this->count(), table_);
+    counting.set_from(0, count, block(count), first, order, touched_, across_, this->count(),
+                      table_);
     counting.launch(blocks, profiler);
     gpu::Kernel& scan = program.kernel("scan_columns");
     scan.set_from(0, this->count(), blocks, table_, totals_);
@@ -62,7 +69,8 @@ uint64_t RasterTiles::count_entries(gpu::Program& program, const RasterScene& sc
 }
 
 uint64_t RasterTiles::bytes() const {
-    return (table_.size() + totals_.size() + begins_.size() + lists_.size()) * sizeof(uint32_t);
+    return (table_.size() + totals_.size() + begins_.size() + lists_.size()) * sizeof(uint32_t) +
+           touched_.size() * sizeof(cl_ushort4);
 }
 
 } // namespace onde

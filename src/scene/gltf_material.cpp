@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "image/image_io.h"
 #include "scene/gltf_scene.h"
+#include "scene/phong.h"
 #include "scene/references.h"
 
 #include <fmt/format.h>
@@ -144,6 +145,7 @@ Material convert(File& file, TextureLoader& textures, const tinygltf::Material& 
         file.notes.add("Alpha MASK and BLEND are rendered opaque", user);
     apply_emissive_strength(source, material);
     apply_transmission(file, source, material);
+    material.phong = phong_of(material);
     return material;
 }
 

@@ -172,6 +172,7 @@ TEST_CASE("untextured transmission above one half becomes glass with its index o
                                 "KHR_materials_ior": {"ior": 1.33}}}])"));
     CHECK(scene.materials[0].kind == MaterialKind::dielectric);
     CHECK(scene.materials[0].ior == Approx(1.33f));
+    CHECK(scene.materials[0].phong.transmission == 1); // see phong_of()
     CHECK(has_note(scene, "glass"));
 }
 

@@ -21,6 +21,10 @@
 #ifndef ONDE_SPHERES
     #define ONDE_SPHERES 1
 #endif
+// Whether some leaf is an analytic shape; those hang in instances only.
+#ifndef ONDE_SHAPES
+    #define ONDE_SHAPES ONDE_INSTANCES
+#endif
 
 typedef struct {
     __global const uchar* nodes;
@@ -185,6 +189,13 @@ OUTLINED Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direct
                                     local_direction, distance, instance, hit);
         }
 #endif
+#if ONDE_SHAPES
+        else if (word != BVH_NONE && (word & BVH_KIND_MASK) == BVH_LEAF_SHAPE) {
+            COUNT_TESTS(primitives, 1);
+            hit = closest_on_shape(bvh.spheres[word & BVH_INDEX_MASK], local_origin, t_min,
+                                   local_direction, distance, instance, hit);
+        }
+#endif
 #if ONDE_INSTANCES
         else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE) {
             instance = word & BVH_INDEX_MASK;
@@ -254,6 +265,13 @@ OUTLINED uint walk_occluded(BVH_SCALARS, float3 origin, float t_min, float3 dire
         else if ((word & BVH_KIND_MASK) == BVH_LEAF_SPHERE) {
             if (sphere_distance(bvh.spheres[word & BVH_INDEX_MASK], local_origin, t_min,
                                 local_direction, t_max) != INFINITY)
+                return 1;
+        }
+#endif
+#if ONDE_SHAPES
+        else if (word != BVH_NONE && (word & BVH_KIND_MASK) == BVH_LEAF_SHAPE) {
+            if (shape_distance(bvh.spheres[word & BVH_INDEX_MASK], local_origin, t_min,
+                               local_direction, t_max) != INFINITY)
                 return 1;
         }
 #endif

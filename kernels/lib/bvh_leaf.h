@@ -1,4 +1,4 @@
-// A ray against what hangs in the leaves: blocks of triangles, spheres, instances.
+// A ray against what hangs in the leaves: blocks of triangles, spheres, shapes, instances.
 #ifndef ONDE_LIB_BVH_LEAF_H
 #define ONDE_LIB_BVH_LEAF_H
 
@@ -7,6 +7,7 @@
     #define ONDE_COUNT_TESTS 0
 #endif
 
+#include "lib/shape.h"
 #include "lib/triangle_watertight.h"
 
 // A closest hit. primitive == BVH_NONE: nothing was hit, and t is the ray's t_max.
@@ -83,10 +84,6 @@ INLINE uint any_in_block(__global const uchar* block, float3 origin, float t_min
     return bits8(candidates & (t > t_min) & (t <= t_max)) != 0;
 }
 
-INLINE float dot_scalar(float3 a, float3 b) {
-    return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
-}
-
 // The nearest distance in (t_min, t_max] at which the ray meets the sphere, or infinity. The
 // quadratic formula without cancellation of Haines et al., "Precision improvements for ray/sphere
 // intersection", Ray Tracing Gems, 2019, chapter 7.
@@ -107,15 +104,23 @@ INLINE float sphere_distance(BvhSphere sphere, float3 origin, float t_min, float
     return second > t_min && second <= t_max ? second : INFINITY;
 }
 
-// As closest_in_block, of one sphere.
+// As closest_in_block, of one primitive that is hit at `distance`, or not where that is infinite.
+INLINE Hit closest_at(float distance, uint primitive, float near, uint instance, Hit hit) {
+    if (distance == INFINITY) return hit;
+    const float t = UPPER(distance, near);
+    if (!is_closer(t, primitive, instance, hit)) return hit;
+    const Hit closer = {t, 0.0f, 0.0f, primitive, instance};
+    return closer;
+}
 INLINE Hit closest_on_sphere(BvhSphere sphere, float3 origin, float t_min, float3 direction,
                              float near, uint instance, Hit hit) {
     const float distance = sphere_distance(sphere, origin, t_min, direction, hit.t);
-    if (distance == INFINITY) return hit;
-    const float t = UPPER(distance, near);
-    if (!is_closer(t, sphere.primitive, instance, hit)) return hit;
-    const Hit closer = {t, 0.0f, 0.0f, sphere.primitive, instance};
-    return closer;
+    return closest_at(distance, sphere.primitive, near, instance, hit);
+}
+INLINE Hit closest_on_shape(BvhSphere shape, float3 origin, float t_min, float3 direction,
+                            float near, uint instance, Hit hit) {
+    const float distance = shape_distance(shape, origin, t_min, direction, hit.t);
+    return closest_at(distance, shape.primitive, near, instance, hit);
 }
 
 // Rows of a 3x4 matrix times (p, 1), or (v, 0).

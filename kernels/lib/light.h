@@ -43,8 +43,15 @@ INLINE real2 triangle_light_uv(SceneView view, natural light, real2 b) {
     return uv;
 }
 
-INLINE LightSample sample_triangle_light(SceneView view, natural light, real3 from, real2 u) {
-    const real2 b = sample_triangle(u);
+// Where on a light spanned by two edges: in the triangle, or in the disk of two radii.
+INLINE real2 sample_flat_light(mask disk, real2 u) {
+    const real2 corner = sample_triangle(u), polar = sample_disk(u);
+    return make2(choose(disk, polar.x, corner.x), choose(disk, polar.y, corner.y));
+}
+
+INLINE LightSample sample_flat_light_from(SceneView view, natural light, mask disk, real3 from,
+                                          real2 u) {
+    const real2 b = sample_flat_light(disk, u);
     const real3 e1 = RECORD3(view.lights, light, LightRecord, edge1);
     const real3 e2 = RECORD3(view.lights, light, LightRecord, edge2);
     const real3 corner = RECORD3(view.lights, light, LightRecord, position);
@@ -120,7 +127,9 @@ OVERLOAD LightSample choose(mask m, LightSample a, LightSample b) {
 INLINE LightSample light_sample(SceneView view, real3 from, real choice, real2 u, mask lanes) {
     const natural light = choose_light(view, choice);
     const natural kind = RECORD_NATURAL(view.lights, light, LightRecord, kind);
-    const mask triangle = lanes & (kind == LIGHT_TRIANGLE), sphere = lanes & (kind == LIGHT_SPHERE);
+    const mask disk = kind == LIGHT_DISK;
+    const mask flat_light = lanes & ((kind == LIGHT_TRIANGLE) | disk);
+    const mask sphere = lanes & (kind == LIGHT_SPHERE);
     const mask point = lanes & (kind == LIGHT_POINT);
     const mask delta = point | (lanes & (kind == LIGHT_DIRECTIONAL));
     const mask infinite = lanes & (kind == LIGHT_ENVIRONMENT);
@@ -131,8 +140,8 @@ INLINE LightSample light_sample(SceneView view, real3 from, real choice, real2 u
     s.pdf = (real)(1.0f);
     s.delta = delta;
     s.valid = lanes & !lanes;
-    if_any(triangle)
-    s = choose(triangle, sample_triangle_light(view, light, from, u), s);
+    if_any(flat_light)
+    s = choose(flat_light, sample_flat_light_from(view, light, disk, from, u), s);
     if_any(sphere)
     s = choose(sphere, sample_sphere_light(view, light, from, u), s);
     if_any(delta)

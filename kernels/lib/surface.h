@@ -76,6 +76,80 @@ INLINE Tangent instance_tangent(SceneView view, natural instance, Tangent t) {
     return t;
 }
 
+#if ONDE_SHAPES
+// A point on a shape: where it lies in the world, and its outward normal in object space.
+typedef struct {
+    real3 position, normal;
+} ShapePoint;
+
+// Its normal, and how far outside p lies, both in object space.
+typedef struct {
+    real3 normal;
+    real outside;
+} ShapeSide;
+
+INLINE ShapeSide shape_side(natural kind, real minor_radius, real3 p) {
+    const real zero = (real)(0.0f), one = (real)(1.0f);
+    const real rho = max_real(sqrt(fma(p.x, p.x, p.z * p.z)), (real)(1e-20f));
+    const real3 radial = make3(p.x / rho, zero, p.z / rho);
+    const real up = choose(p.y < 0.0f, -one, one);
+
+    const real3 tube = sub3(p, radial); // from the centre of the torus's tube
+    const mask torus = kind == SHAPE_TORUS, ellipsoid = kind == SHAPE_ELLIPSOID;
+    const real3 from = choose(torus, tube, p);
+    const real far = max_real(length3(from), (real)(1e-20f));
+    ShapeSide side; // of torus and ellipsoid
+    side.normal = scale3(from, 1.0f / far);
+    side.outside = far - choose(torus, minor_radius, one);
+
+    const real slant = 0.70710678f;
+    const real above_side = (rho + p.y - 1.0f) * slant;
+    const mask disk = kind == SHAPE_DISK;
+    const mask base = (kind == SHAPE_CONE) & (-p.y > above_side);
+    const mask cap = (kind == SHAPE_CYLINDER) & (fabs(p.y) > rho);
+    const mask flat_face = disk | base | cap;
+    const real facing = choose(cap, up, choose(base, -one, one));
+    const real3 slope = make3(radial.x * slant, slant, radial.z * slant);
+    const mask cone = kind == SHAPE_CONE;
+    const real3 round_normal = choose(cone, slope, radial);
+    const real round_outside = choose(cone, above_side, rho - 1.0f);
+    const real flat_outside = fma(facing, p.y, choose(cap, -one, zero));
+    const mask smooth = torus | ellipsoid;
+    const real3 faced = choose(flat_face, make3(zero, facing, zero), round_normal);
+    side.normal = choose(smooth, side.normal, faced);
+    side.outside =
+        choose(smooth, side.outside, choose(flat_face, flat_outside, round_outside));
+    return side;
+}
+
+#define INSTANCE_OFFSET(view, i, matrix)                                                           \
+    make3(RECORD(view.bvh.instances, i, BvhInstance, matrix[3]),                                   \
+          RECORD(view.bvh.instances, i, BvhInstance, matrix[7]),                                   \
+          RECORD(view.bvh.instances, i, BvhInstance, matrix[11]))
+
+// The point of the shape next to a world position on it, up to rounding.
+INLINE ShapePoint shape_point(SceneView view, natural record, natural instance, real3 world,
+                              mask lanes) {
+    const natural i = choose(lanes, instance, (natural)(0u));
+    const real3 to_object = INSTANCE_OFFSET(view, i, world_to_object);
+    real3 p;
+    p.x = dot3(INSTANCE_ROW(view, i, world_to_object, 0), world) + to_object.x;
+    p.y = dot3(INSTANCE_ROW(view, i, world_to_object, 1), world) + to_object.y;
+    p.z = dot3(INSTANCE_ROW(view, i, world_to_object, 2), world) + to_object.z;
+    const natural kind = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, tangent);
+    const real minor_radius = RECORD(view.surfaces, record, SurfaceRecord, uv[0]);
+    const ShapeSide side = shape_side(kind, minor_radius, p);
+    p = madd3(side.normal, -side.outside, p);
+    const real3 to_world = INSTANCE_OFFSET(view, i, object_to_world);
+    ShapePoint point;
+    point.normal = side.normal;
+    point.position.x = dot3(INSTANCE_ROW(view, i, object_to_world, 0), p) + to_world.x;
+    point.position.y = dot3(INSTANCE_ROW(view, i, object_to_world, 1), p) + to_world.y;
+    point.position.z = dot3(INSTANCE_ROW(view, i, object_to_world, 2), p) + to_world.z;
+    return point;
+}
+#endif
+
 #if ONDE_NORMAL_MAPS
 // The normal told by the material's normal map (glTF 2.0, section 3.9.3), or n where it has none.
 INLINE real3 mapped_normal(SceneView view, Hits hit, natural record, natural material, real2 uv,
@@ -118,7 +192,7 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
     Surface s;
     s.position = madd3(direction, hit.t, origin);
     const natural word = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, material);
-    s.material = word & ~SURFACE_SPHERE;
+    s.material = word & SURFACE_MATERIAL_MASK;
     s.light = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, light);
 
     real3 geometric = RECORD3(view.surfaces, record, SurfaceRecord, geometric);
@@ -146,6 +220,17 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
             choose(sphere,
                    madd3(outward, s.uv.x, RECORD3(view.surfaces, record, SurfaceRecord, geometric)),
                    s.position);
+    }
+#endif
+#if ONDE_SHAPES
+    const mask shape = (word & SURFACE_SHAPE) != 0u;
+    if_any(shape)
+    {
+        const ShapePoint point = shape_point(view, record, hit.instance, s.position, shape);
+        geometric = choose(shape, point.normal, geometric);
+        normal = choose(shape, point.normal, normal);
+        s.position = choose(shape, point.position, s.position);
+        s.uv.x = choose(shape, (real)(0.0f), s.uv.x);
     }
 #endif
     geometric = instance_normal(view, hit.instance, geometric);

@@ -12,7 +12,7 @@ typedef struct {
     real3 direction; // of the ray that leaves, unit
     real3 power;     // of that ray
     real3 shown;     // to the camera: radiance over the density of the point, or of the direction
-    mask surface;    // triangles and spheres
+    mask surface;    // triangles, disks and spheres
     mask infinite;   // the environment
 } Emission;
 
@@ -35,9 +35,9 @@ INLINE Emission emit_from_face(SceneView view, natural material, Emission e, rea
     return e;
 }
 
-INLINE Emission emit_from_triangle(SceneView view, natural light, Emission e, real pmf,
-                                   EmissionNumbers u) {
-    const real2 b = sample_triangle(u.point);
+INLINE Emission emit_from_flat(SceneView view, natural light, mask disk, Emission e, real pmf,
+                               EmissionNumbers u) {
+    const real2 b = sample_flat_light(disk, u.point);
     const real3 e1 = RECORD3(view.lights, light, LightRecord, edge1);
     const real3 e2 = RECORD3(view.lights, light, LightRecord, edge2);
     const real3 corner = RECORD3(view.lights, light, LightRecord, position);
@@ -117,14 +117,15 @@ INLINE Emission emission_sample(SceneView view, __global const LightTracingRecor
     const natural light = choose_light(view, u.choice.x);
     const natural kind = RECORD_NATURAL(view.lights, light, LightRecord, kind);
     const real pmf = RECORD(view.lights, light, LightRecord, pmf);
-    const mask triangle = lanes & (kind == LIGHT_TRIANGLE), sphere = lanes & (kind == LIGHT_SPHERE);
+    const mask disk = kind == LIGHT_DISK, sphere = lanes & (kind == LIGHT_SPHERE);
+    const mask flat_light = lanes & ((kind == LIGHT_TRIANGLE) | disk);
     const mask point = lanes & (kind == LIGHT_POINT), sun = lanes & (kind == LIGHT_DIRECTIONAL);
     Emission e;
     e.position = e.normal = e.direction = e.power = e.shown = zero3();
-    e.surface = triangle | sphere;
+    e.surface = flat_light | sphere;
     e.infinite = lanes & (kind == LIGHT_ENVIRONMENT);
-    if_any(triangle)
-    e = choose(triangle, emit_from_triangle(view, light, e, pmf, u), e);
+    if_any(flat_light)
+    e = choose(flat_light, emit_from_flat(view, light, disk, e, pmf, u), e);
     if_any(sphere)
     e = choose(sphere, emit_from_sphere(view, light, e, pmf, u), e);
     if_any(point)

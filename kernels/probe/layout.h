@@ -85,6 +85,7 @@
     OFFSET(BvhSphere, center)                                                                      \
     OFFSET(BvhSphere, radius)                                                                      \
     OFFSET(BvhSphere, primitive)                                                                   \
+    OFFSET(BvhSphere, kind)                                                                        \
     SIZE(BvhInstance)                                                                              \
     OFFSET(BvhInstance, world_to_object)                                                           \
     OFFSET(BvhInstance, object_to_world)                                                           \

@@ -14,6 +14,9 @@
 #define BVH_LEAF_TRIANGLES 0x80000000u // index of a TriangleBlock
 #define BVH_LEAF_SPHERE 0xa0000000u    // index into the spheres
 #define BVH_LEAF_INSTANCE 0xc0000000u  // index into the instances
+// Index into the spheres, of one that is a canonical shape. BVH_NONE looks like this kind: compare
+// with it first.
+#define BVH_LEAF_SHAPE 0xe0000000u
 #define BVH_INDEX_MASK 0x1fffffffu
 
 // 512 bytes, of which 448 are used. Bounds by axis, low then high, so that the far plane of an axis
@@ -36,12 +39,20 @@ typedef struct {
     uint primitive[BVH_LEAF_WIDTH];
 } TriangleBlock;
 
-// 32 bytes. A sphere primitive in the space of the tree that holds it.
+#define SHAPE_ELLIPSOID 0u
+#define SHAPE_DISK 1u
+#define SHAPE_CYLINDER 2u
+#define SHAPE_CONE 3u
+#define SHAPE_TORUS 4u
+
+// 32 bytes. A sphere primitive in the space of the tree that holds it; or, in leaves of shapes, one
+// of the canonical shapes (see onde::Shape), where `radius` is the torus's minor one.
 typedef struct {
     float center[3];
     float radius;
     uint primitive;
-    uint unused[3];
+    uint kind; // SHAPE_...; BVH_NONE of spheres
+    uint unused[2];
 } BvhSphere;
 
 // 128 bytes. Rows of the 3x4 matrices: x' = row . (x, y, z, 1).

@@ -30,14 +30,16 @@ typedef struct {
 
 #define LIGHT_UNLISTED 0xfffffffeu        // emits too little to be worth sampling; rays may find it
 #define SURFACE_SPHERE 0x80000000u        // flag in SurfaceRecord.material
+#define SURFACE_SHAPE 0x40000000u         // likewise; none of both: a triangle
 #define SURFACE_MATERIAL_MASK 0x3fffffffu // the index in it
 
 // 64 bytes, one per primitive. Unit vectors are octahedral, 2 x 16 bits (see lib/octahedral.h).
 // Triangle: corner normals, tangent, uvs and geometric normal in object space.
 // Sphere: `geometric` holds the centre, `uv[0]` the radius; the rest is unused.
+// Shape: `tangent` holds SHAPE_..., `uv[0]` the minor radius; the rest is unused.
 typedef struct {
     uint normal[3];
-    uint material; // index, with SURFACE_SPHERE
+    uint material; // index, with SURFACE_SPHERE or SURFACE_SHAPE
     float uv[6];   // u0 v0 u1 v1 u2 v2
     float geometric[3];
     uint tangent; // octahedral with the lowest bit replaced by the sign of the bitangent
@@ -50,6 +52,7 @@ typedef struct {
 #define LIGHT_POINT 2u
 #define LIGHT_DIRECTIONAL 3u
 #define LIGHT_ENVIRONMENT 4u
+#define LIGHT_DISK 5u
 
 // 80 bytes, in world space.
 typedef struct {
@@ -57,9 +60,9 @@ typedef struct {
     float pmf;         // probability of being chosen
     float alias_below; // stay here when the choice's fraction is below, else take alias
     uint alias;
-    float position[3]; // triangle: first corner; sphere: centre; directional: unit vector to it
-    float area;        // triangle: area; sphere: radius
-    float edge1[3];    // triangle: edges from the first corner
+    float position[3]; // triangle: first corner; sphere, disk: centre; directional: unit vector to it
+    float area;        // triangle, disk: area; sphere: radius
+    float edge1[3];    // triangle: edges from the first corner; disk: two conjugate radii
     uint material;     // triangle, sphere: emitting material
     float edge2[3];
     uint surface;      // triangle: its SurfaceRecord

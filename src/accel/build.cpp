@@ -22,7 +22,7 @@ struct Hanging {
 };
 
 bool is_empty(const Geometry& geometry) {
-    return geometry.triangles.empty() && geometry.spheres.empty();
+    return geometry.size() == 0;
 }
 
 Hanging divide(std::span<const Geometry> geometries, std::span<const Placement> placements) {
@@ -34,7 +34,8 @@ Hanging divide(std::span<const Geometry> geometries, std::span<const Placement> 
     for (uint32_t i = 0; i < placements.size(); ++i) {
         const uint32_t geometry = placements[i].geometry;
         if (is_empty(geometries[geometry])) continue;
-        if (uses[geometry] == 1 && placements[i].object_to_world == glm::mat4(1.0f)) {
+        if (uses[geometry] == 1 && geometries[geometry].shapes.empty() &&
+            placements[i].object_to_world == glm::mat4(1.0f)) {
             hanging.direct.push_back(geometry);
             continue;
         }
@@ -103,7 +104,7 @@ void check_limits(const WidePlace& total, size_t placements) {
 void check_input(std::span<const Geometry> geometries, std::span<const Placement> placements) {
     size_t primitives = 0;
     for (const Geometry& geometry : geometries)
-        primitives += geometry.triangles.size() + geometry.spheres.size();
+        primitives += geometry.size();
     if (primitives + placements.size() >= Reference::SINGLE)
         throw InputError("the scene has {} triangles and spheres, more than a tree can hold; "
                          "split it or use fewer",

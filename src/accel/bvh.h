@@ -19,13 +19,22 @@ struct SphereInput {
     float radius = 1.0f;
 };
 
+/// A canonical shape in object space, of a kind in shared/bvh.h; minor_radius of the torus.
+struct ShapeInput {
+    uint32_t kind = SHAPE_ELLIPSOID;
+    float minor_radius = 0.25f;
+};
+
 /// Primitives that share one space. Their global ids are first_primitive + index, triangles first,
-/// then spheres. Degenerate triangles are allowed; they are never hit. Positions must be finite.
+/// then spheres, then shapes. Degenerate triangles are allowed; they are never hit. Positions must be finite.
 struct Geometry {
     std::span<const glm::vec3> positions;
     std::span<const glm::uvec3> triangles;
     std::span<const SphereInput> spheres;
     uint32_t first_primitive = 0;
+    std::span<const ShapeInput> shapes = {}; ///< a geometry with shapes is always an instance
+
+    size_t size() const { return triangles.size() + spheres.size() + shapes.size(); }
 };
 
 /// A geometry placed in the world by an affine, invertible transform.
@@ -52,7 +61,7 @@ struct BvhOptions {
 };
 
 struct BvhStatistics {
-    uint32_t triangles = 0, spheres = 0, instances = 0;
+    uint32_t triangles = 0, spheres = 0, shapes = 0, instances = 0;
     uint32_t nodes = 0, blocks = 0, depth = 0;
     double children_per_node = 0;
     double triangles_per_block = 0;

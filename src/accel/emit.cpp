@@ -82,8 +82,8 @@ class Emitter {
             return BVH_LEAF_TRIANGLES | place.block++;
         }
         if (first.owner() == Reference::INSTANCE) return BVH_LEAF_INSTANCE | first.index();
-        emit_sphere(first, out_.spheres[place.sphere]);
-        return BVH_LEAF_SPHERE | place.sphere++;
+        const bool is_shape = emit_single(first, out_.spheres[place.sphere]);
+        return (is_shape ? BVH_LEAF_SHAPE : BVH_LEAF_SPHERE) | place.sphere++;
     }
 
     void emit_block(const BinaryNode& leaf, TriangleBlock& block) const {
@@ -102,13 +102,20 @@ class Emitter {
                          out_.watertight);
     }
 
-    void emit_sphere(const Reference& reference, BvhSphere& sphere) const {
+    /// Whether it is a shape, else a sphere.
+    bool emit_single(const Reference& reference, BvhSphere& out) const {
         const Geometry& geometry = geometries_[reference.owner() & ~Reference::SINGLE];
-        const SphereInput& input = geometry.spheres[reference.index() - geometry.triangles.size()];
-        sphere = {{input.center.x, input.center.y, input.center.z},
-                  input.radius,
-                  geometry.first_primitive + reference.index(),
-                  {}};
+        const uint32_t id = geometry.first_primitive + reference.index();
+        const size_t sphere = reference.index() - geometry.triangles.size();
+        if (sphere >= geometry.spheres.size()) {
+            const ShapeInput& shape = geometry.shapes[sphere - geometry.spheres.size()];
+            out = {{}, shape.minor_radius, id, shape.kind, {}};
+            return true;
+        }
+        const SphereInput& input = geometry.spheres[sphere];
+        out = {{input.center.x, input.center.y, input.center.z},
+               input.radius, id, BVH_NONE, {}};
+        return false;
     }
 
     uint32_t primitive(const Reference& reference) const {

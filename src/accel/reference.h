@@ -26,9 +26,9 @@ struct Reference {
         high_index[3] = std::bit_cast<float>(index);
     }
 
-    /// The geometry, with SINGLE for its spheres; or INSTANCE.
+    /// The geometry, with SINGLE for its spheres and shapes; or INSTANCE.
     uint32_t owner() const { return std::bit_cast<uint32_t>(float(low_owner[3])); }
-    /// Within the geometry: triangles first, then spheres.
+    /// Within the geometry: triangles first, then spheres, then shapes.
     uint32_t index() const { return std::bit_cast<uint32_t>(float(high_index[3])); }
     bool is_single() const { return owner() & SINGLE; }
 
@@ -43,6 +43,9 @@ static_assert(sizeof(Reference) == 32);
 /// Exact bounds of a triangle's corners, or of a sphere.
 Box triangle_box(const Geometry& geometry, uint32_t triangle);
 Box sphere_box(const SphereInput& sphere);
+Box shape_box(const ShapeInput& shape);
+/// Of the sphere or shape with that index.
+Box single_box(const Geometry& geometry, uint32_t index);
 
 /// The references of every primitive of the geometries named by `owners`, in order.
 std::vector<Reference> make_references(std::span<const Geometry> geometries,

@@ -52,6 +52,10 @@ uint32_t count_triangles(const TriangleBlock& block) {
     return uint32_t(BVH_LEAF_WIDTH - std::count(ids, ids + BVH_LEAF_WIDTH, BVH_NONE));
 }
 
+bool is_sphere(const BvhSphere& sphere) {
+    return sphere.kind == BVH_NONE;
+}
+
 } // namespace
 
 Box slot_box(const BvhNode& node, uint32_t slot) {
@@ -63,7 +67,8 @@ BvhStatistics measure_bvh(const Bvh& bvh, const BvhOptions& options) {
     BvhStatistics statistics;
     statistics.nodes = uint32_t(bvh.nodes.size());
     statistics.blocks = uint32_t(bvh.blocks.size());
-    statistics.spheres = uint32_t(bvh.spheres.size());
+    statistics.spheres = uint32_t(std::ranges::count_if(bvh.spheres, is_sphere));
+    statistics.shapes = uint32_t(bvh.spheres.size()) - statistics.spheres;
     double children = 0;
     for (const BvhNode& node : bvh.nodes) children += count_children(node);
     for (const TriangleBlock& block : bvh.blocks) statistics.triangles += count_triangles(block);

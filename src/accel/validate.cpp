@@ -57,7 +57,7 @@ class Validator {
     Roll make_roll(std::vector<uint32_t> geometries) const {
         Roll roll{std::move(geometries), {}};
         for (uint32_t g : roll.geometries)
-            roll.seen.emplace_back(geometries_[g].triangles.size() + geometries_[g].spheres.size());
+            roll.seen.emplace_back(geometries_[g].size());
         return roll;
     }
 
@@ -95,6 +95,8 @@ class Validator {
             return walk_block(index, roll);
         case BVH_LEAF_SPHERE:
             return walk_sphere(index, roll);
+        case BVH_LEAF_SHAPE:
+            return walk_shape(index, roll);
         case BVH_LEAF_INSTANCE:
             return walk_instance(index);
         }
@@ -196,11 +198,36 @@ class Validator {
             fail("triangle {} is stored as a sphere", sphere.primitive);
             return {};
         }
-        const SphereInput& input = geometry.spheres[found->second - geometry.triangles.size()];
+        const size_t sphere_index = found->second - geometry.triangles.size();
+        if (sphere_index >= geometry.spheres.size()) {
+            fail("shape {} is stored as a sphere", sphere.primitive);
+            return {};
+        }
+        const SphereInput& input = geometry.spheres[sphere_index];
         const glm::vec3 center(sphere.center[0], sphere.center[1], sphere.center[2]);
         if (center != input.center || sphere.radius != input.radius)
             fail("sphere {} is stored with another centre or radius", sphere.primitive);
         return {sphere_box(input), 0};
+    }
+
+    Walked walk_shape(uint32_t index, Roll& roll) {
+        if (index >= bvh_.spheres.size()) {
+            fail("shape {} is out of range", index);
+            return {};
+        }
+        const BvhSphere& shape = bvh_.spheres[index];
+        const auto found = mark(shape.primitive, roll);
+        if (!found) return {};
+        const Geometry& geometry = geometries_[found->first];
+        const size_t others = geometry.triangles.size() + geometry.spheres.size();
+        if (found->second < others) {
+            fail("triangle or sphere {} is stored as a shape", shape.primitive);
+            return {};
+        }
+        const ShapeInput& input = geometry.shapes[found->second - others];
+        if (shape.kind != input.kind || shape.radius != input.minor_radius)
+            fail("shape {} is stored with another kind or radius", shape.primitive);
+        return {shape_box(input), 0};
     }
 
     Walked walk_instance(uint32_t index) {

@@ -25,7 +25,13 @@ std::vector<Kind> common_kinds() {
         .textures = true, .normal_maps = true, .environment = true, .stack_size = 64};
     SceneFeatures textured_large = textured;
     textured_large.stack_size = 96; // of some ten thousand triangles
-    const SceneFeatures everything{true, true, true, true, true, true, 96};
+    const SceneFeatures everything{.instances = true,
+                                   .spheres = true,
+                                   .textures = true,
+                                   .normal_maps = true,
+                                   .dielectrics = true,
+                                   .environment = true,
+                                   .stack_size = 96};
     return {{"shapes in a closed room", shapes},
             {"textured glTF, small", textured},
             {"textured glTF, large", textured_large},

@@ -17,11 +17,6 @@ const IntegratorContext& checked(const IntegratorContext& context) {
     check_options(context.options);
     if (context.scene.packed().lights.empty())
         throw InputError("--integrator light starts at the lights, but nothing in the scene emits");
-    for (const LightRecord& light : context.scene.packed().lights)
-        if (light.kind > LIGHT_ENVIRONMENT)
-            throw InputError(
-                "--integrator light has no way yet to start at one of the scene's kinds "
-                "of light; use --integrator path");
     return context;
 }
 

@@ -31,6 +31,19 @@ static SceneBounds transformed(const SceneBounds& box, const glm::mat4& m) {
     return result;
 }
 
+static SceneBounds canonical_box(const Shape& shape) {
+    const float r = shape.kind == ShapeKind::torus ? shape.minor_radius : 0.0f;
+    switch (shape.kind) {
+    case ShapeKind::disk:
+    case ShapeKind::cone:
+        return {glm::vec3(-1, 0, -1), glm::vec3(1, shape.kind == ShapeKind::cone, 1)};
+    case ShapeKind::torus:
+        return {glm::vec3(-1 - r, -r, -1 - r), glm::vec3(1 + r, r, 1 + r)};
+    default:
+        return {glm::vec3(-1), glm::vec3(1)};
+    }
+}
+
 SceneBounds scene_bounds(const Scene& scene) {
     constexpr float INF = std::numeric_limits<float>::infinity();
     const SceneBounds nothing{glm::vec3(INF), glm::vec3(-INF)};
@@ -53,6 +66,10 @@ SceneBounds scene_bounds(const Scene& scene) {
     }
     for (const Sphere& sphere : scene.spheres)
         grow(bounds, sphere.center - sphere.radius, sphere.center + sphere.radius);
+    for (const Shape& shape : scene.shapes) {
+        const SceneBounds box = transformed(canonical_box(shape), shape.object_to_world);
+        grow(bounds, box.low, box.high);
+    }
     return bounds.low.x <= bounds.high.x ? bounds : SceneBounds{};
 }
 

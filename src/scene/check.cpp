@@ -99,16 +99,29 @@ void check_mesh(const Scene& scene, size_t i) {
           "a triangle names a material that does not exist");
 }
 
+void check_transform(const glm::mat4& m, const char* list, size_t i) {
+    require(finite(m), list, i, "", "its transform is not finite");
+    require(m[0][3] == 0.0f && m[1][3] == 0.0f && m[2][3] == 0.0f && m[3][3] == 1.0f, list, i, "",
+            "its transform is not affine");
+    require(glm::determinant(m) != 0.0f && finite(glm::inverse(m)), list, i, "",
+            "its transform is not invertible");
+}
+
 void check_instance(const Scene& scene, size_t i) {
     const Instance& instance = scene.instances[i];
-    const glm::mat4& m = instance.object_to_world;
     require(instance.mesh < scene.meshes.size(), "instance", i, "",
             "it names a mesh that does not exist");
-    require(finite(m), "instance", i, "", "its transform is not finite");
-    require(m[0][3] == 0.0f && m[1][3] == 0.0f && m[2][3] == 0.0f && m[3][3] == 1.0f, "instance", i,
-            "", "its transform is not affine");
-    require(glm::determinant(m) != 0.0f && finite(glm::inverse(m)), "instance", i, "",
-            "its transform is not invertible");
+    check_transform(instance.object_to_world, "instance", i);
+}
+
+void check_shape(const Scene& scene, size_t i) {
+    const Shape& shape = scene.shapes[i];
+    require(shape.material < scene.materials.size(), "shape", i, "",
+            "it names a material that does not exist");
+    require(shape.kind != ShapeKind::torus ||
+                (shape.minor_radius > 0.0f && shape.minor_radius < 1.0f),
+            "shape", i, "", "its minor radius must lie between 0 and the major one");
+    check_transform(shape.object_to_world, "shape", i);
 }
 
 void check_lights(const Scene& scene) {
@@ -193,7 +206,7 @@ void check_settings(const RenderSettings& settings) {
 }
 
 bool has_geometry(const Scene& scene) {
-    return !scene.spheres.empty() ||
+    return !scene.spheres.empty() || !scene.shapes.empty() ||
            std::any_of(scene.instances.begin(), scene.instances.end(),
                        [&](const Instance& instance) {
                            return !scene.meshes[instance.mesh].triangles.empty();
@@ -215,6 +228,7 @@ void check_scene(const Scene& scene) {
         require(sphere.material < scene.materials.size(), "sphere", i, "",
                 "it names a material that does not exist");
     }
+    for (size_t i = 0; i < scene.shapes.size(); ++i) check_shape(scene, i);
     check_lights(scene);
     for (size_t i = 0; i < scene.area_lights.size(); ++i) check_area_light(scene, i);
     check_environment(scene.environment);

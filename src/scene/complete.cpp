@@ -105,6 +105,8 @@ static bool anything_emits(const Scene& scene) {
         lights.push_back(lights_scene(scene, material));
     for (const Sphere& sphere : scene.spheres)
         if (lights[sphere.material]) return true;
+    for (const Shape& shape : scene.shapes)
+        if (lights[shape.material]) return true;
     for (const Instance& instance : scene.instances) {
         const std::vector<uint32_t>& materials = scene.meshes[instance.mesh].materials;
         if (std::ranges::any_of(materials, [&](uint32_t m) { return lights[m]; })) return true;

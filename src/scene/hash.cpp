@@ -75,6 +75,7 @@ void add_each(Hasher& hasher, const std::vector<T>& values) {
 std::string scene_hash(const Scene& scene) {
     // Plain structs of 4-byte members are hashed whole; they have no padding.
     static_assert(sizeof(Instance) == 17 * 4 && sizeof(Sphere) == 5 * 4);
+    static_assert(sizeof(Shape) == 19 * 4);
     static_assert(sizeof(PointLight) == 9 * 4 && sizeof(DirectionalLight) == 9 * 4);
     static_assert(sizeof(AreaLight) == 17 * 4 && sizeof(Phong) == 7 * 4);
     Hasher hasher;
@@ -83,6 +84,7 @@ std::string scene_hash(const Scene& scene) {
     add_each(hasher, scene.meshes);
     add(hasher, scene.instances);
     add(hasher, scene.spheres);
+    add(hasher, scene.shapes);
     add(hasher, scene.point_lights);
     add(hasher, scene.directional_lights);
     add(hasher, scene.area_lights);

@@ -40,7 +40,7 @@ static glm::vec3 transform_point(const glm::mat4& transform, const glm::vec3& po
     return glm::vec3(transform * glm::vec4(point, 1.0f));
 }
 
-/// The factor of an even scale; throws for any other.
+/// The factor of an even scale, or 0 for any other.
 static float even_scale(const glm::mat4& transform) {
     const glm::vec3 x(transform[0]), y(transform[1]), z(transform[2]);
     const float scale = glm::length(x), tolerance = 1e-3f * scale;
@@ -48,9 +48,30 @@ static float even_scale(const glm::mat4& transform) {
                              std::abs(glm::length(z) - scale) <= tolerance;
     const float shear =
         std::max({std::abs(glm::dot(x, y)), std::abs(glm::dot(y, z)), std::abs(glm::dot(z, x))});
-    if (!same_length || shear > tolerance * scale)
-        throw InputError("a sphere cannot be stretched; scale it evenly or use a mesh");
-    return scale;
+    return same_length && shear <= tolerance * scale ? scale : 0.0f;
+}
+
+static bool is_light(const Scene& scene, uint32_t material) {
+    const glm::vec3 e = scene.materials[material].emission;
+    return e.x > 0 || e.y > 0 || e.z > 0;
+}
+
+/// Evenly scaled spheres stay spheres; others become shapes. A stretched light is refused.
+static void place_sphere(Scene& whole, const Sphere& sphere, uint32_t material,
+                         const glm::mat4& transform) {
+    const float scale = even_scale(transform);
+    if (scale > 0.0f) {
+        whole.spheres.push_back(
+            {transform_point(transform, sphere.center), sphere.radius * scale, material});
+        return;
+    }
+    if (is_light(whole, material))
+        throw InputError("a sphere that is a light cannot be stretched; scale it evenly or use a "
+                         "mesh");
+    glm::mat4 placed(1.0f);
+    for (glm::length_t k = 0; k < 3; ++k) placed[k][k] = sphere.radius;
+    placed[3] = glm::vec4(sphere.center, 1.0f);
+    whole.shapes.push_back({ShapeKind::sphere, material, 0.25f, transform * placed});
 }
 
 glm::mat4 rigid_part(const glm::mat4& transform) {
@@ -105,16 +126,20 @@ static void take_missing(RenderSettings& whole, const RenderSettings& part) {
 void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
                    const glm::mat4& transform) {
     if (whole.instances.size() + part.instances.size() > MAX_PLACED ||
-        whole.spheres.size() + part.spheres.size() > MAX_PLACED)
-        throw InputError("the includes add up to more than {} instances or spheres; include fewer",
+        whole.spheres.size() + part.spheres.size() > MAX_PLACED ||
+        whole.shapes.size() + part.shapes.size() > MAX_PLACED)
+        throw InputError("the includes add up to more than {} instances, spheres or shapes; include fewer",
                          MAX_PLACED);
     for (const Instance& instance : part.instances)
         whole.instances.push_back(
             {instance.mesh + offsets.meshes, transform * instance.object_to_world});
-    const float scale = part.spheres.empty() ? 1.0f : even_scale(transform);
     for (const Sphere& sphere : part.spheres)
-        whole.spheres.push_back({transform_point(transform, sphere.center), sphere.radius * scale,
-                                 sphere.material + offsets.materials});
+        place_sphere(whole, sphere, sphere.material + offsets.materials, transform);
+    for (Shape shape : part.shapes) {
+        shape.material += offsets.materials;
+        shape.object_to_world = transform * shape.object_to_world;
+        whole.shapes.push_back(shape);
+    }
     for (const PointLight& light : part.point_lights)
         whole.point_lights.push_back(
             {transform_point(transform, light.position), light.intensity, light.strength});

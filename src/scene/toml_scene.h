@@ -40,6 +40,8 @@ class TomlScene {
 
     void add_rectangle(const TableReader& table, uint32_t material);
     void add_sphere(const TableReader& table, uint32_t material);
+    void add_disk(const TableReader& table, uint32_t material);
+    void add_placed(const TableReader& table, Shape shape, const glm::vec3& size);
     void add_baked(Mesh mesh, const glm::mat4& transform);
     void add_mesh_file(const TableReader& table);
     Mesh inline_mesh(const TableReader& table, uint32_t material) const;

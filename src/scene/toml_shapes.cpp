@@ -58,6 +58,20 @@ void TomlScene::add_sphere(const TableReader& table, uint32_t material) {
     scene_.spheres.push_back({center, radius, material});
 }
 
+/// A canonical shape, first scaled by `size`.
+void TomlScene::add_placed(const TableReader& table, Shape shape, const glm::vec3& size) {
+    shape.object_to_world = glm::scale(placement(table), size);
+    if (!std::isnormal(glm::determinant(glm::mat3(shape.object_to_world))))
+        table.fail("scale", "makes the shape too small or too large");
+    scene_.shapes.push_back(shape);
+}
+
+void TomlScene::add_disk(const TableReader& table, uint32_t material) {
+    const float radius = table.number("radius", POSITIVE).value_or(1.0f);
+    add_placed(table, {.kind = ShapeKind::disk, .material = material},
+               glm::vec3(radius, 1.0f, radius));
+}
+
 void TomlScene::add_rectangle(const TableReader& table, uint32_t material) {
     if (!table.has("corner")) {
         for (const char* key : {"edge1", "edge2"})
@@ -107,9 +121,10 @@ void TomlScene::add_mesh_file(const TableReader& table) {
 }
 
 void TomlScene::read_shape(const TableReader& table) {
-    enum { SPHERE, RECTANGLE, BOX, PLANE, MESH };
+    enum { SPHERE, RECTANGLE, BOX, PLANE, MESH, DISK, CYLINDER, CONE, TORUS, ELLIPSOID };
     const size_t type = table.require(
-        "type", table.choice("type", {"sphere", "rectangle", "box", "plane", "mesh"}));
+        "type", table.choice("type", {"sphere", "rectangle", "box", "plane", "mesh", "disk",
+                                      "cylinder", "cone", "torus", "ellipsoid"}));
     switch (type) {
     case SPHERE:
         table.allow({"type", "material", "center", "radius"});
@@ -130,6 +145,39 @@ void TomlScene::read_shape(const TableReader& table) {
             minus_z(0, 0, -size);
         return add_baked(rectangle_mesh(corner, x, minus_z, material_named_in(table)),
                          placement(table));
+    }
+    case DISK:
+        table.allow({"type", "material", "position", "rotation", "scale", "radius"});
+        return add_disk(table, material_named_in(table));
+    case CYLINDER:
+    case CONE: {
+        table.allow({"type", "material", "position", "rotation", "scale", "radius", "height"});
+        const float radius = table.number("radius", POSITIVE).value_or(1.0f);
+        const float height = table.number("height", POSITIVE).value_or(1.0f);
+        const bool cone = type == CONE;
+        return add_placed(table,
+                          {.kind = cone ? ShapeKind::cone : ShapeKind::cylinder,
+                           .material = material_named_in(table)},
+                          glm::vec3(radius, cone ? height : 0.5f * height, radius));
+    }
+    case TORUS: {
+        table.allow({"type", "material", "position", "rotation", "scale", "major_radius",
+                     "minor_radius"});
+        const float major = table.number("major_radius", POSITIVE).value_or(1.0f);
+        const float minor = table.number("minor_radius", POSITIVE).value_or(0.25f * major);
+        if (!(minor / major < 1.0f && minor / major > 0.0f))
+            table.fail("minor_radius", "must be below major_radius");
+        return add_placed(table,
+                          {.kind = ShapeKind::torus,
+                           .material = material_named_in(table),
+                           .minor_radius = minor / major},
+                          glm::vec3(major));
+    }
+    case ELLIPSOID: {
+        table.allow({"type", "material", "position", "rotation", "scale", "radii"});
+        const glm::vec3 radii = table.color("radii", POSITIVE).value_or(glm::vec3(1.0f));
+        return add_placed(
+            table, {.kind = ShapeKind::sphere, .material = material_named_in(table)}, radii);
     }
     default:
         table.allow({"type", "material", "position", "rotation", "scale", "file", "positions",
@@ -172,9 +220,9 @@ void TomlScene::add_area_light(const TableReader& table, AreaLight light) {
 }
 
 void TomlScene::read_light(const TableReader& table) {
-    enum { POINT, DIRECTIONAL, RECTANGLE, SPHERE };
+    enum { POINT, DIRECTIONAL, RECTANGLE, SPHERE, DISK };
     const size_t type = table.require(
-        "type", table.choice("type", {"point", "directional", "rectangle", "sphere"}));
+        "type", table.choice("type", {"point", "directional", "rectangle", "sphere", "disk"}));
     if (type == POINT) {
         table.allow({"type", "position", "intensity", "strength"});
         const Measures m = measures(table, "intensity");
@@ -196,6 +244,18 @@ void TomlScene::read_light(const TableReader& table) {
         light.position = mesh.positions[0];
         light.edge1 = mesh.positions[1] - mesh.positions[0];
         light.edge2 = mesh.positions[3] - mesh.positions[0];
+        add_area_light(table, light);
+    } else if (type == DISK) {
+        table.allow({"type", "radiance", "strength", "samples", "two_sided", "position", "rotation",
+                     "scale", "radius"});
+        add_disk(table, emitter(table));
+        const glm::mat4& m = scene_.shapes.back().object_to_world;
+        AreaLight light;
+        light.kind = AreaLightKind::disk;
+        light.position = glm::vec3(m[3]);
+        const bool mirrored = glm::determinant(glm::mat3(m)) < 0.0f; // the front stays the front
+        light.edge1 = glm::vec3(m[mirrored ? 0 : 2]);
+        light.edge2 = glm::vec3(m[mirrored ? 2 : 0]);
         add_area_light(table, light);
     } else {
         table.allow({"type", "radiance", "strength", "samples", "center", "radius"});

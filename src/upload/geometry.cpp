@@ -3,6 +3,8 @@
 #include "upload/octahedral.h"
 
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace onde {
 namespace {
@@ -87,7 +89,8 @@ class MeshWriter {
         record.tangent = encode_tangent(p, uv, geometric);
         record.light = NO_INDEX;
         if (emits(scene_.materials[record.material]))
-            flat_.emissive.push_back({uint32_t(flat_.surfaces.size()), record.material, false, p[0],
+            flat_.emissive.push_back({uint32_t(flat_.surfaces.size()), record.material,
+                                      LIGHT_TRIANGLE, p[0],
                                       p[1] - p[0], p[2] - p[0], 0.0f, orientation});
         flat_.surfaces.push_back(record);
     }
@@ -107,7 +110,7 @@ void add_sphere(const Scene& scene, FlatGeometry& flat, const Sphere& sphere) {
     if (emits(scene.materials[sphere.material]))
         flat.emissive.push_back({uint32_t(flat.surfaces.size()),
                                  sphere.material,
-                                 true,
+                                 LIGHT_SPHERE,
                                  sphere.center,
                                  {},
                                  {},
@@ -116,6 +119,56 @@ void add_sphere(const Scene& scene, FlatGeometry& flat, const Sphere& sphere) {
     flat.surfaces.push_back(record);
     flat.spheres.push_back({sphere.center, sphere.radius});
 }
+
+/// Places shapes; equal ones that do not emit share a geometry.
+class ShapeWriter {
+  public:
+    ShapeWriter(const Scene& scene, FlatGeometry& flat) : scene_(scene), flat_(flat) {}
+
+    void add(const Shape& shape) {
+        const bool light = emits(scene_.materials[shape.material]);
+        const auto key = std::tuple(shape.kind, shape.minor_radius, shape.material);
+        const auto known = geometry_of_.find(key);
+        const bool shared = !light && known != geometry_of_.end();
+        const uint32_t geometry = shared ? known->second : add_geometry(shape);
+        if (light) add_emissive(shape);
+        if (!light && !shared) geometry_of_.emplace(key, geometry);
+        flat_.placements.push_back({geometry, shape.object_to_world});
+    }
+
+  private:
+    uint32_t add_geometry(const Shape& shape) {
+        static_assert(uint32_t(ShapeKind::sphere) == SHAPE_ELLIPSOID);
+        static_assert(uint32_t(ShapeKind::disk) == SHAPE_DISK);
+        static_assert(uint32_t(ShapeKind::cylinder) == SHAPE_CYLINDER);
+        static_assert(uint32_t(ShapeKind::cone) == SHAPE_CONE);
+        static_assert(uint32_t(ShapeKind::torus) == SHAPE_TORUS);
+        SurfaceRecord record{};
+        record.tangent = uint32_t(shape.kind);
+        record.uv[0] = shape.minor_radius;
+        record.material = shape.material | SURFACE_SHAPE;
+        record.light = NO_INDEX;
+        const ShapeInput& input =
+            flat_.shapes.emplace_back(ShapeInput{uint32_t(shape.kind), shape.minor_radius});
+        flat_.geometries.push_back(
+            {{}, {}, {}, uint32_t(flat_.surfaces.size()), std::span(&input, 1)});
+        flat_.surfaces.push_back(record);
+        return uint32_t(flat_.geometries.size() - 1);
+    }
+
+    /// A disk is a light to sample. Its front is toward +Y, where cross(Z, X) points.
+    void add_emissive(const Shape& shape) {
+        const glm::mat4& m = shape.object_to_world;
+        flat_.emissive.push_back({uint32_t(flat_.surfaces.size() - 1), shape.material,
+                                  shape.kind == ShapeKind::disk ? LIGHT_DISK : NO_INDEX,
+                                  glm::vec3(m[3]), glm::vec3(m[2]), glm::vec3(m[0]), 0.0f,
+                                  glm::determinant(glm::mat3(m)) < 0 ? -1.0f : 1.0f});
+    }
+
+    const Scene& scene_;
+    FlatGeometry& flat_;
+    std::map<std::tuple<ShapeKind, float, uint32_t>, uint32_t> geometry_of_;
+};
 
 std::vector<bool> meshes_to_instance(const Scene& scene) {
     std::vector<uint64_t> uses(scene.meshes.size());
@@ -157,6 +210,8 @@ FlatGeometry flatten_geometry(const Scene& scene) {
     for (const Instance& instance : scene.instances)
         if (instanced[instance.mesh])
             flat.placements.push_back({geometry_of[instance.mesh], instance.object_to_world});
+    ShapeWriter shapes(scene, flat);
+    for (const Shape& shape : scene.shapes) shapes.add(shape);
     return flat;
 }
 

@@ -59,7 +59,7 @@ double mean_texture(const Scene& scene, int32_t index, const SurfaceRecord& surf
 double mean_emission(const Scene& scene, const FlatGeometry& flat, const EmissivePrimitive& e) {
     const Material& material = scene.materials[e.material];
     const double factor = luminance(material.emission);
-    if (e.sphere || material.emission_texture == NO_TEXTURE) return factor;
+    if (e.kind != LIGHT_TRIANGLE || material.emission_texture == NO_TEXTURE) return factor;
     return factor * mean_texture(scene, material.emission_texture, flat.surfaces[e.primitive]);
 }
 
@@ -68,20 +68,22 @@ void add_primitive(const Scene& scene, FlatGeometry& flat, const EmissivePrimiti
     const Material& material = scene.materials[e.material];
     const double emission = mean_emission(scene, flat, e);
     flat.surfaces[e.primitive].light =
-        emission > 0 ? uint32_t(lights.records.size()) : LIGHT_UNLISTED;
-    if (!(emission > 0)) return;
+        emission > 0 && e.kind != NO_INDEX ? uint32_t(lights.records.size()) : LIGHT_UNLISTED;
+    if (flat.surfaces[e.primitive].light == LIGHT_UNLISTED) return;
     LightRecord record{};
-    record.kind = e.sphere ? LIGHT_SPHERE : LIGHT_TRIANGLE;
+    record.kind = e.kind;
     copy(record.position, e.position);
     copy(record.edge1, e.edge1);
     copy(record.edge2, e.edge2);
     record.material = e.material;
     record.surface = e.primitive;
     record.orientation = e.orientation;
-    const double area = e.sphere ? 4 * PI * double(e.radius) * e.radius
-                                 : 0.5 * glm::length(glm::cross(e.edge1, e.edge2));
-    record.area = e.sphere ? e.radius : float(area);
-    const double faces = !e.sphere && material.two_sided ? 2 : 1;
+    const bool sphere = e.kind == LIGHT_SPHERE;
+    const double parallelogram = glm::length(glm::cross(e.edge1, e.edge2));
+    const double flat_area = (e.kind == LIGHT_DISK ? PI : 0.5) * parallelogram;
+    const double area = sphere ? 4 * PI * double(e.radius) * e.radius : flat_area;
+    record.area = sphere ? e.radius : float(area);
+    const double faces = !sphere && material.two_sided ? 2 : 1;
     lights.add(record, PI * area * faces * emission);
 }
 

@@ -12,6 +12,7 @@ namespace onde {
 std::vector<std::string> SceneFeatures::defines() const {
     return {fmt::format("ONDE_INSTANCES={:d}", instances),
             fmt::format("ONDE_SPHERES={:d}", spheres),
+            fmt::format("ONDE_SHAPES={:d}", shapes),
             fmt::format("ONDE_TEXTURES={:d}", textures),
             fmt::format("ONDE_NORMAL_MAPS={:d}", normal_maps),
             fmt::format("ONDE_DIELECTRICS={:d}", dielectrics),
@@ -25,6 +26,7 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.instances = packed.bvh.has_instances;
     features.watertight = packed.bvh.watertight;
     features.spheres = !scene.spheres.empty();
+    features.shapes = !scene.shapes.empty();
     features.textures = !scene.textures.empty();
     for (const Material& material : scene.materials) {
         features.normal_maps |= material.normal_texture != NO_TEXTURE;
@@ -46,7 +48,7 @@ std::vector<BufferSize> PackedScene::device_buffers() const {
     const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
     return {{"BVH nodes", bytes(bvh.nodes)},
             {"BVH triangles", bytes(bvh.blocks)},
-            {"BVH spheres", bytes(bvh.spheres)},
+            {"BVH spheres and shapes", bytes(bvh.spheres)},
             {"BVH instances", bytes(bvh.instances)},
             {"surfaces", bytes(surfaces)},
             {"materials", bytes(materials)},

@@ -14,7 +14,7 @@ namespace onde {
 
 /// What a scene needs of the kernels; the rest is not compiled.
 struct SceneFeatures {
-    bool instances = false, spheres = false, textures = false, normal_maps = false;
+    bool instances = false, spheres = false, shapes = false, textures = false, normal_maps = false;
     bool dielectrics = false, environment = false;
     uint32_t stack_size = 1;
     bool watertight = false;

@@ -16,9 +16,12 @@ struct Soup {
     std::vector<glm::uvec3> triangles;
     std::vector<SphereInput> spheres;
     uint32_t first_primitive = 0;
+    std::vector<ShapeInput> shapes;
 
-    Geometry geometry() const { return {positions, triangles, spheres, first_primitive}; }
-    uint32_t size() const { return uint32_t(triangles.size() + spheres.size()); }
+    Geometry geometry() const {
+        return {positions, triangles, spheres, first_primitive, shapes};
+    }
+    uint32_t size() const { return uint32_t(triangles.size() + spheres.size() + shapes.size()); }
 
     void add(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
         const auto first = uint32_t(positions.size());

@@ -44,6 +44,7 @@ inline RenderOptions small_options(uint32_t width, uint32_t height, uint32_t sam
 inline SceneFeatures all_features() {
     return {.instances = true,
             .spheres = true,
+            .shapes = true,
             .textures = true,
             .normal_maps = true,
             .dielectrics = true,

@@ -1,6 +1,6 @@
 // A ray against the analytic shapes in their own spaces (see onde::Shape): ellipsoid, disk,
-// cylinder, cone, torus. Scalar, as all of traversal. Distances count from the point of the ray that
-// is nearest the shape's centre, so that a far origin costs no digits there.
+// cylinder, cone, torus. Scalar, as all of traversal. Distances count from the point of the ray
+// that is nearest the shape's centre, so that a far origin costs no digits there.
 #ifndef ONDE_LIB_SHAPE_H
 #define ONDE_LIB_SHAPE_H
 
@@ -48,7 +48,8 @@ INLINE float2 between_roots(float a, float b, float c) {
 // Where low <= y <= high.
 INLINE float2 between_planes(CentredRay ray, float low, float high) {
     if (ray.direction.y == 0.0f)
-        return ray.origin.y >= low && ray.origin.y <= high ? (float2)(-INFINITY, INFINITY) : OUTSIDE;
+        return ray.origin.y >= low && ray.origin.y <= high ? (float2)(-INFINITY, INFINITY)
+                                                           : OUTSIDE;
     const float a = (low - ray.origin.y) / ray.direction.y;
     const float b = (high - ray.origin.y) / ray.direction.y;
     return (float2)(LOWER(a, b), UPPER(a, b));
@@ -93,8 +94,7 @@ INLINE float2 in_cone(CentredRay ray) {
     const float q = -(b + copysign(sqrt(UPPER(fma(b, b, -(a * c)), 0.0f)), b));
     const float r0 = q / a, r1 = q == 0.0f ? 0.0f : c / q;
     const float first = a == 0.0f ? r1 : LOWER(r0, r1), last = a == 0.0f ? r1 : UPPER(r0, r1);
-    const float2 lower_nappe =
-        d.y < 0.0f ? (float2)(last, INFINITY) : (float2)(-INFINITY, first);
+    const float2 lower_nappe = d.y < 0.0f ? (float2)(last, INFINITY) : (float2)(-INFINITY, first);
     return common_part(slab, lower_nappe);
 }
 

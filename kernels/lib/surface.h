@@ -117,15 +117,14 @@ INLINE ShapeSide shape_side(natural kind, real minor_radius, real3 p) {
     const mask smooth = torus | ellipsoid;
     const real3 faced = choose(flat_face, make3(zero, facing, zero), round_normal);
     side.normal = choose(smooth, side.normal, faced);
-    side.outside =
-        choose(smooth, side.outside, choose(flat_face, flat_outside, round_outside));
+    side.outside = choose(smooth, side.outside, choose(flat_face, flat_outside, round_outside));
     return side;
 }
 
-#define INSTANCE_OFFSET(view, i, matrix)                                                           \
-    make3(RECORD(view.bvh.instances, i, BvhInstance, matrix[3]),                                   \
-          RECORD(view.bvh.instances, i, BvhInstance, matrix[7]),                                   \
-          RECORD(view.bvh.instances, i, BvhInstance, matrix[11]))
+    #define INSTANCE_OFFSET(view, i, matrix)                                                       \
+        make3(RECORD(view.bvh.instances, i, BvhInstance, matrix[3]),                               \
+              RECORD(view.bvh.instances, i, BvhInstance, matrix[7]),                               \
+              RECORD(view.bvh.instances, i, BvhInstance, matrix[11]))
 
 // The point of the shape next to a world position on it, up to rounding.
 INLINE ShapePoint shape_point(SceneView view, natural record, natural instance, real3 world,

@@ -60,10 +60,11 @@ typedef struct {
     float pmf;         // probability of being chosen
     float alias_below; // stay here when the choice's fraction is below, else take alias
     uint alias;
-    float position[3]; // triangle: first corner; sphere, disk: centre; directional: unit vector to it
-    float area;        // triangle, disk: area; sphere: radius
-    float edge1[3];    // triangle: edges from the first corner; disk: two conjugate radii
-    uint material;     // triangle, sphere: emitting material
+    float
+        position[3]; // triangle: first corner; sphere, disk: centre; directional: unit vector to it
+    float area;      // triangle, disk: area; sphere: radius
+    float edge1[3];  // triangle: edges from the first corner; disk: two conjugate radii
+    uint material;   // triangle, sphere: emitting material
     float edge2[3];
     uint surface;      // triangle: its SurfaceRecord
     float radiance[3]; // point: intensity; directional: irradiance

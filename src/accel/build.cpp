@@ -103,8 +103,7 @@ void check_limits(const WidePlace& total, size_t placements) {
 
 void check_input(std::span<const Geometry> geometries, std::span<const Placement> placements) {
     size_t primitives = 0;
-    for (const Geometry& geometry : geometries)
-        primitives += geometry.size();
+    for (const Geometry& geometry : geometries) primitives += geometry.size();
     if (primitives + placements.size() >= Reference::SINGLE)
         throw InputError("the scene has {} triangles and spheres, more than a tree can hold; "
                          "split it or use fewer",

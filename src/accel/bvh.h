@@ -26,7 +26,8 @@ struct ShapeInput {
 };
 
 /// Primitives that share one space. Their global ids are first_primitive + index, triangles first,
-/// then spheres, then shapes. Degenerate triangles are allowed; they are never hit. Positions must be finite.
+/// then spheres, then shapes. Degenerate triangles are allowed; they are never hit. Positions must
+/// be finite.
 struct Geometry {
     std::span<const glm::vec3> positions;
     std::span<const glm::uvec3> triangles;

@@ -113,8 +113,7 @@ class Emitter {
             return true;
         }
         const SphereInput& input = geometry.spheres[sphere];
-        out = {{input.center.x, input.center.y, input.center.z},
-               input.radius, id, BVH_NONE, {}};
+        out = {{input.center.x, input.center.y, input.center.z}, input.radius, id, BVH_NONE, {}};
         return false;
     }
 

@@ -54,8 +54,7 @@ Box single_box(const Geometry& geometry, uint32_t index) {
 std::vector<Reference> make_references(std::span<const Geometry> geometries,
                                        std::span<const uint32_t> owners, bool parallel) {
     size_t count = 0;
-    for (uint32_t owner : owners)
-        count += geometries[owner].size();
+    for (uint32_t owner : owners) count += geometries[owner].size();
 
     std::vector<Reference> references(count);
     size_t first = 0;

@@ -56,8 +56,7 @@ class Validator {
 
     Roll make_roll(std::vector<uint32_t> geometries) const {
         Roll roll{std::move(geometries), {}};
-        for (uint32_t g : roll.geometries)
-            roll.seen.emplace_back(geometries_[g].size());
+        for (uint32_t g : roll.geometries) roll.seen.emplace_back(geometries_[g].size());
         return roll;
     }
 

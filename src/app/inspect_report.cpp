@@ -30,9 +30,11 @@ std::string hit_text(const HitReport& hit, const Scene& scene, const PackedScene
     if (hit.primitive == BVH_NONE)
         return fmt::format("leaves the scene toward {}", text(hit.direction));
     const uint32_t flags = packed.surfaces.at(hit.primitive).material;
-    const char* kind = flags & SURFACE_SPHERE ? "sphere" : flags & SURFACE_SHAPE ? "shape" : "primitive";
-    std::string words = fmt::format("meets {} ({} {}", material_name(scene, hit.material),
-                                    kind, hit.primitive);
+    const char* kind = flags & SURFACE_SPHERE  ? "sphere"
+                       : flags & SURFACE_SHAPE ? "shape"
+                                               : "primitive";
+    std::string words =
+        fmt::format("meets {} ({} {}", material_name(scene, hit.material), kind, hit.primitive);
     if (hit.instance != BVH_NONE) words += fmt::format(" of instance {}", hit.instance);
     return words + fmt::format(") from {} at {}, normal {}, after {:.6g}",
                                hit.front ? "outside" : "inside", text(hit.position),

@@ -128,8 +128,9 @@ void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
     if (whole.instances.size() + part.instances.size() > MAX_PLACED ||
         whole.spheres.size() + part.spheres.size() > MAX_PLACED ||
         whole.shapes.size() + part.shapes.size() > MAX_PLACED)
-        throw InputError("the includes add up to more than {} instances, spheres or shapes; include fewer",
-                         MAX_PLACED);
+        throw InputError(
+            "the includes add up to more than {} instances, spheres or shapes; include fewer",
+            MAX_PLACED);
     for (const Instance& instance : part.instances)
         whole.instances.push_back(
             {instance.mesh + offsets.meshes, transform * instance.object_to_world});

@@ -161,8 +161,8 @@ void TomlScene::read_shape(const TableReader& table) {
                           glm::vec3(radius, cone ? height : 0.5f * height, radius));
     }
     case TORUS: {
-        table.allow({"type", "material", "position", "rotation", "scale", "major_radius",
-                     "minor_radius"});
+        table.allow(
+            {"type", "material", "position", "rotation", "scale", "major_radius", "minor_radius"});
         const float major = table.number("major_radius", POSITIVE).value_or(1.0f);
         const float minor = table.number("minor_radius", POSITIVE).value_or(0.25f * major);
         if (!(minor / major < 1.0f && minor / major > 0.0f))
@@ -176,8 +176,8 @@ void TomlScene::read_shape(const TableReader& table) {
     case ELLIPSOID: {
         table.allow({"type", "material", "position", "rotation", "scale", "radii"});
         const glm::vec3 radii = table.color("radii", POSITIVE).value_or(glm::vec3(1.0f));
-        return add_placed(
-            table, {.kind = ShapeKind::sphere, .material = material_named_in(table)}, radii);
+        return add_placed(table, {.kind = ShapeKind::sphere, .material = material_named_in(table)},
+                          radii);
     }
     default:
         table.allow({"type", "material", "position", "rotation", "scale", "file", "positions",

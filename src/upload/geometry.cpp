@@ -90,8 +90,8 @@ class MeshWriter {
         record.light = NO_INDEX;
         if (emits(scene_.materials[record.material]))
             flat_.emissive.push_back({uint32_t(flat_.surfaces.size()), record.material,
-                                      LIGHT_TRIANGLE, p[0],
-                                      p[1] - p[0], p[2] - p[0], 0.0f, orientation});
+                                      LIGHT_TRIANGLE, p[0], p[1] - p[0], p[2] - p[0], 0.0f,
+                                      orientation});
         flat_.surfaces.push_back(record);
     }
 

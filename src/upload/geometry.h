@@ -1,5 +1,5 @@
-// The scene's meshes, spheres and shapes as primitives with ids: what is baked into world space, what stays
-// an instance, and a SurfaceRecord for each primitive.
+// The scene's meshes, spheres and shapes as primitives with ids: what is baked into world space,
+// what stays an instance, and a SurfaceRecord for each primitive.
 #pragma once
 
 #include "accel/bvh.h"
@@ -17,14 +17,15 @@ struct EmissivePrimitive {
     uint32_t material = 0;
     uint32_t kind = LIGHT_TRIANGLE; ///< LIGHT_TRIANGLE, LIGHT_SPHERE, LIGHT_DISK, or NO_INDEX for
                                     ///< shapes whose light only rays find
-    glm::vec3 position{0.0f}; ///< first corner, or centre
+    glm::vec3 position{0.0f};       ///< first corner, or centre
     glm::vec3 edge1{0.0f}, edge2{0.0f}; ///< of a disk: two conjugate radii
     float radius = 0.0f;
     float orientation = 1.0f; ///< -1 when the front face looks against cross(edge1, edge2)
 };
 
 /// Geometry 0 is baked: everything that is placed once, is small or emits, in world space. Each
-/// further geometry is a mesh or a shape in its own space, placed by the placements after the first.
+/// further geometry is a mesh or a shape in its own space, placed by the placements after the
+/// first.
 struct FlatGeometry {
     std::vector<Geometry> geometries;
     std::vector<Placement> placements;

@@ -18,9 +18,7 @@ struct Soup {
     uint32_t first_primitive = 0;
     std::vector<ShapeInput> shapes;
 
-    Geometry geometry() const {
-        return {positions, triangles, spheres, first_primitive, shapes};
-    }
+    Geometry geometry() const { return {positions, triangles, spheres, first_primitive, shapes}; }
     uint32_t size() const { return uint32_t(triangles.size() + spheres.size() + shapes.size()); }
 
     void add(glm::vec3 a, glm::vec3 b, glm::vec3 c) {

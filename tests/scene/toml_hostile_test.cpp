@@ -68,7 +68,7 @@ TEST_CASE("values out of range are refused with what is allowed") {
              {SPHERE + "[[material]]\nname = \"a\"\nkind = \"metal\"\n", {"kind", "conductor"}},
              {"[[shape]]\ntype = \"box\"\nscale = [1, 0, 1]\n",
               {"shape[0].scale", "must not be 0"}},
-             {"[[shape]]\ntype = \"cone\"\n", {"shape[0].type", "sphere, rectangle"}}})
+             {"[[shape]]\ntype = \"cube\"\n", {"shape[0].type", "sphere, rectangle"}}})
         check_refused(c);
 }
 
@@ -152,13 +152,24 @@ TEST_CASE("includes that are too deep or multiply beyond all memory are refused"
     CHECK_THAT(load_error(folder.path() / inner), Catch::Contains("include fewer"));
 }
 
-TEST_CASE("a sphere that an include would stretch is refused") {
+TEST_CASE("a glowing sphere that an include would stretch is refused") {
     ScratchFolder folder;
-    folder.write("ball.toml", SPHERE);
+    folder.write("ball.toml", "[[light]]\ntype = \"sphere\"\nradiance = 1\n");
     const auto path =
         folder.write("evil.toml", "[[include]]\nfile = \"ball.toml\"\nscale = [1, 2, 1]\n");
     CHECK_THAT(load_error(path), Catch::Contains("evil.toml:2") && Catch::Contains("ball.toml") &&
                                      Catch::Contains("stretched"));
+}
+
+TEST_CASE("impossible shapes are refused with their line") {
+    const std::string torus = "[[shape]]\ntype = \"torus\"\n";
+    check_refused({torus + "minor_radius = 1\n", {"minor_radius", "below major_radius"}});
+    check_refused({torus + "major_radius = 0\n", {"major_radius"}});
+    check_refused({torus + "scale = [1, 0, 1]\n", {"scale"}});
+    check_refused({torus + "radius = 1\n", {"radius"}});
+    check_refused({"[[shape]]\ntype = \"cone\"\nheight = -1\n", {"height"}});
+    check_refused({"[[shape]]\ntype = \"cylinder\"\nradius = nan\n", {"radius"}});
+    check_refused({"[[shape]]\ntype = \"donut\"\n", {"did you mean"}});
 }
 
 TEST_CASE("damaged TOML is refused with its line") {

@@ -186,6 +186,38 @@ TEST_CASE("an included scene brings its spheres, lights and cameras, moved and s
     CHECK(moved.cameras[0].focus_distance == Approx(12.0f));
 }
 
+TEST_CASE("shapes are placed with their radii; stretched spheres become ellipsoids") {
+    ScratchFolder folder;
+    folder.write("ball.toml", SPHERE + "center = [1, 0, 0]\nradius = 2\n");
+    const Scene scene = load_scene(folder.write(
+        "shapes.toml",
+        "[[shape]]\ntype = \"torus\"\nmajor_radius = 2\nminor_radius = 0.5\nposition = [1, 2, 3]\n"
+        "[[shape]]\ntype = \"cylinder\"\nradius = 3\nheight = 4\n"
+        "[[shape]]\ntype = \"cone\"\nradius = 3\nheight = 4\n"
+        "[[shape]]\ntype = \"ellipsoid\"\nradii = [1, 2, 3]\n"
+        "[[light]]\ntype = \"disk\"\nradius = 2\nradiance = 3\nposition = [0, 9, 0]\n"
+        "[[include]]\nfile = \"ball.toml\"\nscale = [1, 3, 1]\n"));
+    REQUIRE(scene.shapes.size() == 6);
+    const auto at = [&](size_t i, glm::vec3 p) {
+        return glm::vec3(scene.shapes[i].object_to_world * glm::vec4(p, 1.0f));
+    };
+    CHECK(scene.shapes[0].minor_radius == 0.25f);
+    CHECK(near(at(0, {1, 0, 0}), glm::vec3(3, 2, 3)));
+    CHECK(near(at(1, {1, 1, 0}), glm::vec3(3, 2, 0)));
+    CHECK(near(at(2, {0, 1, 0}), glm::vec3(0, 4, 0)));
+    CHECK(near(at(3, {0, 1, 0}), glm::vec3(0, 2, 0)));
+    CHECK(scene.shapes[5].kind == ShapeKind::sphere);
+    CHECK(near(at(5, {0, 1, 0}), glm::vec3(1, 6, 0)));
+    REQUIRE(scene.area_lights.size() == 1);
+    const AreaLight& light = scene.area_lights[0];
+    CHECK(light.kind == AreaLightKind::disk);
+    CHECK(glm::cross(light.edge1, light.edge2).y == Approx(4.0f)); // as the shape's front
+    CHECK(scene.materials[scene.shapes[4].material].emission == glm::vec3(3));
+    const SceneBounds bounds = scene_bounds(scene);
+    CHECK(bounds.high.y == Approx(9.0f));
+    CHECK(bounds.low.y == Approx(-6.0f));
+}
+
 TEST_CASE("every scene of the project loads without a note") {
     const auto folder = std::filesystem::path(ONDE_SOURCE_DIR) / "scenes";
     size_t count = 0;

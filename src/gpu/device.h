@@ -24,7 +24,7 @@ struct DeviceFacts {
     size_t max_work_group_size = 1;
     bool correctly_rounded_divide_sqrt = false;
     bool int64_atomics = false; ///< cl_khr_int64_extended_atomics: 64-bit minimum and the like
-    std::string problem; ///< empty, or why it can't be used
+    std::string problem;        ///< empty, or why it can't be used
 };
 
 struct PlatformReport {

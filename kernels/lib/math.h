@@ -40,19 +40,24 @@ INLINE SineCosine sincos_turns(real u) {
     return result;
 }
 
-// Base 2, of x > 0 that is no denormal. Absolute error below 2e-7, relative near 1.
-INLINE real log2_real(real x) {
+// Base 2, of x = 1 + above > 0 that is no denormal: `above` has the digits that x has lost.
+INLINE real log2_near_one(real x, real above) {
     const integer bits = as_integer(x);
     const integer shifted = bits - 0x3f3504f3; // sqrt(1/2): the mantissa ends up around 1
     const integer exponent = shifted >> 23;
     const real m = as_real(bits - (exponent << 23));
-    const real s = (m - 1.0f) / (m + 1.0f); // 2 atanh(s) = ln m
+    const real s = choose(exponent == 0, above, m - 1.0f) / (m + 1.0f); // 2 atanh(s) = ln m
     const real s2 = s * s;
     real p = fma(s2, (real)(1.0f / 9.0f), (real)(1.0f / 7.0f));
     p = fma(s2, p, (real)(1.0f / 5.0f));
     p = fma(s2, p, (real)(1.0f / 3.0f));
     p = fma(s2 * s, p, s) * 2.88539008f; // 2 / ln 2
     return to_real(exponent) + p;
+}
+
+// Base 2, of x > 0 that is no denormal. Absolute error below 2e-7, relative near 1.
+INLINE real log2_real(real x) {
+    return log2_near_one(x, x - 1.0f);
 }
 
 // 2^x; 0 below -126. Relative error below 3e-7 for x <= 127.
@@ -71,10 +76,12 @@ INLINE real exp2_real(real x) {
     return choose(x < -126.0f, (real)(0.0f), p * power);
 }
 
-// x^y for x in [0, 1], y >= 0; 0^0 is 1.
-INLINE real power_unit(real x, real y) {
-    const mask positive = x > 1.2e-38f;
-    const real power = exp2_real(y * log2_real(choose(positive, x, (real)(1.0f))));
+// (1 - x)^y for x in [0, 1], y >= 0; 0^0 is 1. Small x keep their digits, which y multiplies.
+INLINE real power_below_one(real x, real y) {
+    const real base = 1.0f - x;
+    const mask positive = base > 1.2e-38f;
+    const real safe = choose(positive, x, (real)(0.0f));
+    const real power = exp2_real(y * log2_near_one(1.0f - safe, -safe));
     return choose(positive, power, choose(y == 0.0f, (real)(1.0f), (real)(0.0f)));
 }
 

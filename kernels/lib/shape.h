@@ -168,10 +168,11 @@ INLINE uint add_turn(TorusRay torus, float low, float high, float* at, uint coun
 // The nearest root in (near, far], or infinity. Between its turns the quartic is monotone, so that
 // a sign at each end decides whether there is a root: none is missed, none is found twice.
 OUTLINED float torus_distance(TorusRay torus, float near, float far) {
-    const float reach2 =
-        square_scalar(1.0f + sqrt(torus.minor2)) - dot_scalar(torus.ray.origin, torus.ray.origin);
+    const float reach2 = square_scalar(1.0001f + sqrt(torus.minor2)) -
+                         dot_scalar(torus.ray.origin, torus.ray.origin);
     if (!(reach2 > 0.0f)) return INFINITY;
-    const float reach = sqrt(reach2) * 1.000001f;
+    // Roots at the outer equator lie on this very ball: the search starts well clear of it.
+    const float reach = sqrt(reach2) + 0.01f;
     const float low = UPPER(near, -reach), high = LOWER(far, reach);
     if (!(low < high)) return INFINITY;
     float ends[5];

@@ -29,6 +29,19 @@ INLINE real3 offset_origin(real3 position, real3 normal, real t) {
     return madd3(normal, max_real(largest, t) * ORIGIN_OFFSET, position);
 }
 
+// The same for rays whose line must not shift, as mirrors and grazing hits magnify that: moved on
+// along the unit direction d until as clear of the surface. Rays that graze would have to go far
+// and are lifted off for what is missing. `normal` is the geometric one, on either side.
+#define GRAZING_COSINE 0.05f
+INLINE real3 advance_origin(real3 position, real3 normal, real3 d, real t) {
+    const real3 size = make3(fabs(position.x), fabs(position.y), fabs(position.z));
+    const real clear = max_real(max_component3(size), t) * ORIGIN_OFFSET;
+    const real rise = dot3(d, normal), steepness = fabs(rise);
+    const real along = clear / max_real(steepness, (real)(GRAZING_COSINE));
+    const real lift = copysign(clear - along * steepness, rise);
+    return madd3(d, along, madd3(normal, lift, position));
+}
+
 // Shadow rays stop this share short of the light, so as not to hit the light itself.
 #define SHADOW_SHORTENING (1.0f - 1e-4f)
 
@@ -74,6 +87,13 @@ INLINE Tangent instance_tangent(SceneView view, natural instance, Tangent t) {
     t.sign = choose(mirrored, -t.sign, t.sign);
 #endif
     return t;
+}
+
+// How far a point that is `outside` a round surface by a rounding error moves on along its ray to
+// be on it; `rise` is the ray direction's part along the outward normal. Where the ray grazes this
+// is left to projection.
+INLINE real slide_back(real outside, real rise) {
+    return choose(fabs(rise) > 0.01f, -outside / rise, (real)(0.0f));
 }
 
 #if ONDE_SHAPES
@@ -126,9 +146,9 @@ INLINE ShapeSide shape_side(natural kind, real minor_radius, real3 p) {
               RECORD(view.bvh.instances, i, BvhInstance, matrix[7]),                               \
               RECORD(view.bvh.instances, i, BvhInstance, matrix[11]))
 
-// The point of the shape next to a world position on it, up to rounding.
+// The point of the shape next to a world position on it, up to rounding, along a ray that met it.
 INLINE ShapePoint shape_point(SceneView view, natural record, natural instance, real3 world,
-                              mask lanes) {
+                              real3 direction, mask lanes) {
     const natural i = choose(lanes, instance, (natural)(0u));
     const real3 to_object = INSTANCE_OFFSET(view, i, world_to_object);
     real3 p;
@@ -137,7 +157,13 @@ INLINE ShapePoint shape_point(SceneView view, natural record, natural instance, 
     p.z = dot3(INSTANCE_ROW(view, i, world_to_object, 2), world) + to_object.z;
     const natural kind = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, tangent);
     const real minor_radius = RECORD(view.surfaces, record, SurfaceRecord, uv[0]);
-    const ShapeSide side = shape_side(kind, minor_radius, p);
+    real3 d;
+    d.x = dot3(INSTANCE_ROW(view, i, world_to_object, 0), direction);
+    d.y = dot3(INSTANCE_ROW(view, i, world_to_object, 1), direction);
+    d.z = dot3(INSTANCE_ROW(view, i, world_to_object, 2), direction);
+    ShapeSide side = shape_side(kind, minor_radius, p);
+    p = madd3(d, slide_back(side.outside, dot3(d, side.normal)), p);
+    side = shape_side(kind, minor_radius, p);
     p = madd3(side.normal, -side.outside, p);
     const real3 to_world = INSTANCE_OFFSET(view, i, object_to_world);
     ShapePoint point;
@@ -212,7 +238,10 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
     const mask sphere = (word & SURFACE_SPHERE) != 0u;
     if_any(sphere)
     {
-        const real3 outward = normalize3(sub3(s.position, geometric)); // centre, for a sphere
+        const real3 from = sub3(s.position, geometric); // the centre, for a sphere
+        const real far = length3(from);
+        const real slide = slide_back(far - s.uv.x, dot3(from, direction) / far);
+        const real3 outward = normalize3(madd3(direction, slide, from));
         geometric = choose(sphere, outward, geometric);
         normal = choose(sphere, outward, normal);
         s.position =
@@ -225,7 +254,8 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
     const mask shape = (word & SURFACE_SHAPE) != 0u;
     if_any(shape)
     {
-        const ShapePoint point = shape_point(view, record, hit.instance, s.position, shape);
+        const ShapePoint point =
+            shape_point(view, record, hit.instance, s.position, direction, shape);
         geometric = choose(shape, point.normal, geometric);
         normal = choose(shape, point.normal, normal);
         s.position = choose(shape, point.position, s.position);

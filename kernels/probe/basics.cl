@@ -32,11 +32,12 @@ PROBE(math) {
     output(items, 3, decode_octahedral(input_natural(items, 3)));
 }
 
-// In: x > 0; exponent; base in [0, 1], power. Out: log2 of x, 2 to the exponent, base to the power.
+// In: x > 0; exponent; 1 - base in [0, 1], power. Out: log2 of x, 2 to the exponent, base to the
+// power.
 PROBE(powers) {
     output(items, 0, log2_real(input(items, 0)));
     output(items, 1, exp2_real(input(items, 1)));
-    output(items, 2, power_unit(input(items, 2), input(items, 3)));
+    output(items, 2, power_below_one(input(items, 2), input(items, 3)));
 }
 
 // In: unit vector n, vector v. Out: the basis around n, v in it, and v back from it.

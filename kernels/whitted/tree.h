@@ -111,14 +111,16 @@ INLINE real3 mirror_direction(TreeVertex v) {
 
 // Where a ray in direction d leaves the vertex.
 INLINE real3 tree_exit(TreeVertex v, real3 d) {
-    const real3 n = v.surface.geometric;
-    return offset_origin(v.surface.position, choose(dot3(d, n) > 0.0f, n, negate3(n)), v.t);
+    return advance_origin(v.surface.position, v.surface.geometric, d, v.t);
 }
 
-// max(r.v, 0)^e, with r the mirror image of the direction to the sample; cosine: n.l.
+// max(r.v, 0)^e, with r the mirror image of the direction to the sample; cosine: n.l. As r and v
+// are unit, r.v = 1 - |r - v|^2 / 2, whose digits a large exponent needs.
 INLINE real sample_highlight(WhittedView w, TreeVertex v, SourceSample s, real cosine) {
     const real3 r = madd3(v.surface.normal, 2.0f * cosine, negate3(s.direction));
-    return power_unit(clamp_real(dot3(r, v.view), 0.0f, 1.0f), PHONG(w, v, exponent));
+    const real3 apart = sub3(r, v.view);
+    return power_below_one(min_real(0.5f * dot3(apart, apart), (real)(1.0f)),
+                           PHONG(w, v, exponent));
 }
 
 // What arrives of a sample's light, for the lanes in `bits`.

@@ -43,7 +43,7 @@ TEST_CASE("logarithms and powers of two are within the bounds that they state") 
         // Half of them close to 1, where only the relative error says anything.
         const double spread = i % 2 ? 60 : 1e-3;
         in[0].push_back(float(std::exp2(spread * (2 * double(unit(generator)) - 1))));
-        in[2].push_back(i % 2 ? unit(generator) : 1 - 1e-3f * unit(generator));
+        in[2].push_back(i % 2 ? unit(generator) : 1e-3f * unit(generator));
         in[3].push_back(1000 * unit(generator));
     }
     const Columns out = probe().run("powers", in, 3);
@@ -60,12 +60,12 @@ TEST_CASE("logarithms and powers of two are within the bounds that they state") 
     CHECK(worst_item(COUNT, 3e-7, exp_error,
                      [&](size_t i) { return fmt::format("2^{}: {}", in[1][i], out[1][i]); }) == "");
     CHECK(worst_difference(
-              out[2], [&](size_t i) { return std::pow(double(in[2][i]), double(in[3][i])); },
+              out[2], [&](size_t i) { return std::pow(1 - double(in[2][i]), double(in[3][i])); },
               2e-6) == "");
 }
 
 TEST_CASE("zero to the zero is one, to anything else zero, and one to anything one") {
-    const Columns in{{1, 1, 1}, {0, 0, 0}, {0, 0, 1}, {0, 3, 1e6f}};
+    const Columns in{{1, 1, 1}, {0, 0, 0}, {1, 1, 0}, {0, 3, 1e6f}};
     CHECK(probe().run("powers", in, 3)[2] == std::vector<float>{1, 0, 1});
 }
 

@@ -34,6 +34,7 @@ INLINE void explain_node(SceneView view, WhittedView w, NodeArena a, uint slot, 
     const Hits hit = load_node_hits(a, slot);
     const TreeVertex v = tree_vertex(view, w, ray, hit, 1);
     report_hit(&report->hit, ray.origin, ray.direction, hit, v.surface);
+    report->hit.t = v.t;
     report->level = level;
     report->kind = ray.kind;
     report->alive = v.alive != 0;

@@ -33,13 +33,19 @@ INLINE real3 offset_origin(real3 position, real3 normal, real t) {
 // along the unit direction d until as clear of the surface. Rays that graze would have to go far
 // and are lifted off for what is missing. `normal` is the geometric one, on either side.
 #define GRAZING_COSINE 0.05f
-INLINE real3 advance_origin(real3 position, real3 normal, real3 d, real t) {
+typedef struct {
+    real3 origin;
+    real passed; // distance along the ray that is behind it
+} AdvancedOrigin;
+INLINE AdvancedOrigin advance_origin(real3 position, real3 normal, real3 d, real t) {
     const real3 size = make3(fabs(position.x), fabs(position.y), fabs(position.z));
     const real clear = max_real(max_component3(size), t) * ORIGIN_OFFSET;
     const real rise = dot3(d, normal), steepness = fabs(rise);
-    const real along = clear / max_real(steepness, (real)(GRAZING_COSINE));
-    const real lift = copysign(clear - along * steepness, rise);
-    return madd3(d, along, madd3(normal, lift, position));
+    AdvancedOrigin result;
+    result.passed = clear / max_real(steepness, (real)(GRAZING_COSINE));
+    const real lift = copysign(clear - result.passed * steepness, rise);
+    result.origin = madd3(d, result.passed, madd3(normal, lift, position));
+    return result;
 }
 
 // Shadow rays stop this share short of the light, so as not to hit the light itself.

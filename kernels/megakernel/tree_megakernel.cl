@@ -12,8 +12,9 @@
 #define FRAME_PRODUCT 9
 #define FRAME_KIND 10
 #define FRAME_HIT 11 // t, u, v, primitive, instance
-#define FRAME_NEXT_CHILD 16
-#define FRAME_WORDS 17
+#define FRAME_PASSED 16
+#define FRAME_NEXT_CHILD 17
+#define FRAME_WORDS 18
 
 // By word, level and lane.
 typedef struct {
@@ -52,6 +53,7 @@ INLINE void store_node(TreeStack* stack, natural level, TreeRay ray, Hits hit, u
     store_frame3(stack->words + FRAME_DIRECTION, level, ray.direction, bits);
     store_frame3(stack->words + FRAME_FACTOR, level, ray.factor, bits);
     store_frame(stack->words[FRAME_PRODUCT], level, ray.product, bits);
+    store_frame(stack->words[FRAME_PASSED], level, ray.passed, bits);
     store_frame(stack->words[FRAME_KIND], level, as_real(ray.kind), bits);
     store_frame(stack->words[FRAME_HIT], level, hit.t, bits);
     store_frame(stack->words[FRAME_HIT + 1], level, hit.u, bits);
@@ -66,6 +68,7 @@ INLINE TreeRay load_node_ray(TreeStack* stack, natural level) {
     ray.direction = load_frame3(stack->words + FRAME_DIRECTION, level);
     ray.factor = load_frame3(stack->words + FRAME_FACTOR, level);
     ray.product = load_frame(stack->words[FRAME_PRODUCT], level);
+    ray.passed = load_frame(stack->words[FRAME_PASSED], level);
     ray.kind = as_natural(load_frame(stack->words[FRAME_KIND], level));
     return ray;
 }
@@ -104,7 +107,7 @@ INLINE TreeChild next_child(WhittedView w, TreeVertex v, natural kind, natural n
     TreeChild child;
     child.exists = lanes & !lanes;
     child.ray.origin = child.ray.direction = child.ray.factor = zero3();
-    child.ray.product = (real)(0.0f);
+    child.ray.product = child.ray.passed = (real)(0.0f);
     child.ray.kind = kind;
     for (uint i = 0; i < most_children(w); i++) {
         const mask turn = lanes & (next == i);
@@ -115,6 +118,7 @@ INLINE TreeChild next_child(WhittedView w, TreeVertex v, natural kind, natural n
         child.ray.direction = choose(turn, c.ray.direction, child.ray.direction);
         child.ray.factor = choose(turn, c.ray.factor, child.ray.factor);
         child.ray.product = choose(turn, c.ray.product, child.ray.product);
+        child.ray.passed = choose(turn, c.ray.passed, child.ray.passed);
         child.ray.kind = choose(turn, c.ray.kind, child.ray.kind);
     }
     return child;

@@ -18,7 +18,8 @@
 #define NODE_PATH 12   // index of the path in its wave
 #define NODE_HIT 13    // t, u, v, primitive, instance
 #define NODE_COLOR 18
-#define NODE_LANES 22 // rounded up
+#define NODE_PASSED 21
+#define NODE_LANES 22
 
 typedef struct {
     __global float* lanes; // of this work item: lane k of slot i is at k * stride + i
@@ -55,6 +56,7 @@ INLINE TreeRay load_tree_ray(NodeArena a, uint i) {
     ray.direction = load_node3(a, NODE_DIRECTION, i);
     ray.factor = load_node3(a, NODE_FACTOR, i);
     ray.product = load_real(node_lane(a, NODE_PRODUCT, i));
+    ray.passed = load_real(node_lane(a, NODE_PASSED, i));
     ray.kind = load_natural(node_lane(a, NODE_KIND, i));
     return ray;
 }
@@ -72,6 +74,7 @@ INLINE void push_tree_rays(NodeArena a, uint i, TreeRay ray, natural parent, nat
     compress3(a, NODE_DIRECTION, i, ray.direction, bits);
     compress3(a, NODE_FACTOR, i, ray.factor, bits);
     compress_real(node_lane(a, NODE_PRODUCT, i), ray.product, bits);
+    compress_real(node_lane(a, NODE_PASSED, i), ray.passed, bits);
     compress_real(node_lane(a, NODE_KIND, i), as_real(ray.kind), bits);
     compress_real(node_lane(a, NODE_PARENT, i), as_real(parent), bits);
     compress_real(node_lane(a, NODE_PATH, i), as_real(path), bits);

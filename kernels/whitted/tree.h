@@ -25,6 +25,7 @@ typedef struct {
     real3 origin, direction;
     real3 factor; // of its colour in its parent's
     real product; // of all factors down to here, largest components
+    real passed;  // distance from where it began to the origin, which is clear of the surface
     natural kind;
 } TreeRay;
 
@@ -48,6 +49,7 @@ INLINE TreeRay tree_root(__global const FrameRecord* frame, natural pixel, natur
     ray.direction = camera.direction;
     ray.factor = splat3((real)(1.0f));
     ray.product = (real)(1.0f);
+    ray.passed = (real)(0.0f);
     ray.kind = (natural)(0u);
     return ray;
 }
@@ -80,7 +82,7 @@ INLINE TreeVertex tree_vertex(SceneView view, WhittedView w, TreeRay ray, Hits h
     v.found = lanes & (hit.primitive != BVH_NONE);
     v.surface = surface_at(view, ray.origin, ray.direction, hit, v.found);
     v.view = negate3(ray.direction);
-    v.t = choose(v.found, hit.t, (real)(0.0f));
+    v.t = choose(v.found, hit.t + ray.passed, (real)(0.0f));
     const mask takes = v.found & ((ray.kind & KIND_TAKES_FACTOR) != 0u);
     v.product = ray.product * choose(takes, PHONG(w, v, reflection), (real)(1.0f));
     v.alive = lanes & (v.product > w.settings->epsilon);
@@ -110,7 +112,7 @@ INLINE real3 mirror_direction(TreeVertex v) {
 }
 
 // Where a ray in direction d leaves the vertex.
-INLINE real3 tree_exit(TreeVertex v, real3 d) {
+INLINE AdvancedOrigin tree_exit(TreeVertex v, real3 d) {
     return advance_origin(v.surface.position, v.surface.geometric, d, v.t);
 }
 
@@ -126,7 +128,7 @@ INLINE real sample_highlight(WhittedView w, TreeVertex v, SourceSample s, real c
 // What arrives of a sample's light, for the lanes in `bits`.
 INLINE real sample_visibility(SceneView view, WhittedView w, TreeVertex v, SourceSample s,
                               uint bits) {
-    const real3 origin = tree_exit(v, s.direction);
+    const real3 origin = tree_exit(v, s.direction).origin;
     const mask finite = s.distance < SOURCE_INFINITY;
     const real3 to = sub3(s.target, origin);
     const real length = length3(to);
@@ -215,7 +217,9 @@ INLINE real index_ratio(TreeVertex v, real ior) {
 INLINE TreeChild make_child(WhittedView w, TreeVertex v, real3 direction, real3 factor,
                             natural kind, mask exists) {
     TreeChild child;
-    child.ray.origin = tree_exit(v, direction);
+    const AdvancedOrigin exit = tree_exit(v, direction);
+    child.ray.origin = exit.origin;
+    child.ray.passed = exit.passed;
     child.ray.direction = direction;
     child.ray.factor = factor;
     child.ray.product = v.product * max_component3(factor);

@@ -9,13 +9,21 @@ namespace {
 
 constexpr double TOLERANCE = 1e-4;
 
+std::filesystem::path scene_folder() {
+    return std::filesystem::path(ONDE_SOURCE_DIR) / "scenes";
+}
+
 std::vector<std::filesystem::path> chapter_scenes() {
     std::vector<std::filesystem::path> scenes;
-    const auto folder = std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/chapter";
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(scene_folder() / "chapter"))
         if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
     std::ranges::sort(scenes);
     return scenes;
+}
+
+Material& first_glass(Scene& scene) {
+    return *std::ranges::find_if(scene.materials,
+                                 [](const Material& m) { return m.phong.transmission > 0; });
 }
 
 void compare(const std::string& name, const Scene& scene, glm::uvec2 size, uint32_t samples,
@@ -46,6 +54,36 @@ TEST_CASE("every chapter scene equals the recursion in each pixel that is not on
                 {set.width.value_or(defaults.width), set.height.value_or(defaults.height)}, 1,
                 set.depth.value_or(defaults.depth));
     }
+}
+
+TEST_CASE("scenes with every light and shape equal the recursion, sample by sample") {
+    for (const char* name : {"lights", "shapes", "spheres", "cornell", "instances"})
+        compare(name, load_scene(scene_folder() / fmt::format("{}.toml", name)), {120, 80}, 4, 6);
+}
+
+TEST_CASE("every setting of the chapter's recursion equals it") {
+    Scene scene = load_scene(scene_folder() / "chapter/five-objects.toml");
+    Material& glass = first_glass(scene);
+    const auto check = [&](const char* name) { compare(name, scene, {128, 128}, 2, 8); };
+    WhittedSettings& whitted = scene.whitted;
+    whitted.saturate = false;
+    check("plain sums");
+    whitted.source_reflectivity = true;
+    check("factors at the source");
+    whitted.fresnel = true;
+    check("Fresnel and factors at the source");
+    whitted.source_reflectivity = false;
+    check("Fresnel");
+    whitted.distance_falloff = whitted.saturate = true; // else contacts shine without bound
+    check("divided by the squared distance");
+    whitted.distance_falloff = whitted.saturate = false;
+    whitted.epsilon = 0.2f;
+    check("stopped by epsilon");
+    whitted.epsilon = 0;
+    glass.phong.abbe = 20;
+    check("dispersion");
+    whitted.wavelengths = 16;
+    check("dispersion into 16 wavelengths");
 }
 
 } // namespace onde::test

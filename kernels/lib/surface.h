@@ -233,7 +233,9 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
         decode_octahedral(RECORD_NATURAL(view.surfaces, record, SurfaceRecord, normal[1]));
     const real3 n2 =
         decode_octahedral(RECORD_NATURAL(view.surfaces, record, SurfaceRecord, normal[2]));
-    real3 normal = normalize3(madd3(n2, v, madd3(n1, u, scale3(n0, w))));
+    const real3 smooth = normalize3(madd3(n2, v, madd3(n1, u, scale3(n0, w))));
+    // Sixteen bits would bend mirrors by 3e-5.
+    real3 normal = choose((word & SURFACE_FLAT) != 0u, geometric, smooth);
     s.uv = make2(RECORD(view.surfaces, record, SurfaceRecord, uv[4]) * v, (real)(0.0f));
     s.uv.x = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[2]), u, s.uv.x);
     s.uv.x = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[0]), w, s.uv.x);

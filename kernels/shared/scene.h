@@ -31,7 +31,8 @@ typedef struct {
 #define LIGHT_UNLISTED 0xfffffffeu        // emits too little to be worth sampling; rays may find it
 #define SURFACE_SPHERE 0x80000000u        // flag in SurfaceRecord.material
 #define SURFACE_SHAPE 0x40000000u         // likewise; none of both: a triangle
-#define SURFACE_MATERIAL_MASK 0x3fffffffu // the index in it
+#define SURFACE_FLAT 0x20000000u          // a triangle whose corner normals all are `geometric`
+#define SURFACE_MATERIAL_MASK 0x1fffffffu // the index in it
 
 // 64 bytes, one per primitive. Unit vectors are octahedral, 2 x 16 bits (see lib/octahedral.h).
 // Triangle: corner normals, tangent, uvs and geometric normal in object space.
@@ -39,7 +40,7 @@ typedef struct {
 // Shape: `tangent` holds SHAPE_..., `uv[0]` the minor radius; the rest is unused.
 typedef struct {
     uint normal[3];
-    uint material; // index, with SURFACE_SPHERE or SURFACE_SHAPE
+    uint material; // index, with SURFACE_SPHERE, SURFACE_SHAPE or SURFACE_FLAT
     float uv[6];   // u0 v0 u1 v1 u2 v2
     float geometric[3];
     uint tangent; // octahedral with the lowest bit replaced by the sign of the bitangent

@@ -2,6 +2,7 @@
 
 #include "scene/load.h"
 #include "scene/phong.h"
+#include "shared/scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,6 @@ namespace onde {
 namespace {
 
 constexpr float SMOOTH_ALPHA = 1e-3f; // as in kernels/lib/microfacet.h
-
-/// Of SurfaceRecord::material: without its flags.
-constexpr uint32_t MATERIAL_INDEX = 0x3fffffff;
 
 /// Groups at the end may be read whole, and lanes a power of two apart would share cache sets.
 constexpr uint32_t LANE_PADDING = 272;
@@ -59,7 +57,8 @@ size_t light_state_size(const gpu::DeviceSettings& settings) {
 uint64_t count_hidden_emitters(const PackedScene& scene) {
     const auto hidden = [&](const SurfaceRecord& surface) {
         return surface.light == LIGHT_UNLISTED &&
-               scene.materials[surface.material & MATERIAL_INDEX].emission_texture == NO_INDEX;
+               scene.materials[surface.material & SURFACE_MATERIAL_MASK].emission_texture ==
+                   NO_INDEX;
     };
     return uint64_t(std::ranges::count_if(scene.surfaces, hidden));
 }

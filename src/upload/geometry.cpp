@@ -78,20 +78,22 @@ class MeshWriter {
         }
         const glm::vec3 geometric =
             unit_or(glm::cross(p[1] - p[0], p[2] - p[0]) * orientation, glm::vec3(0, 0, 1));
+        bool flat = true;
         for (uint32_t k = 0; k < 3; k++) {
             glm::vec3 n = geometric;
             if (!mesh.normals.empty())
                 n = unit_or(normal_matrix * mesh.normals[corners[k]], geometric);
             record.normal[k] = encode_octahedral(n);
             record.geometric[k] = geometric[k];
+            flat &= record.normal[k] == encode_octahedral(geometric);
         }
-        record.material = mesh.materials[triangle];
+        const uint32_t material = mesh.materials[triangle];
+        record.material = material | (flat ? SURFACE_FLAT : 0);
         record.tangent = encode_tangent(p, uv, geometric);
         record.light = NO_INDEX;
-        if (emits(scene_.materials[record.material]))
-            flat_.emissive.push_back({uint32_t(flat_.surfaces.size()), record.material,
-                                      LIGHT_TRIANGLE, p[0], p[1] - p[0], p[2] - p[0], 0.0f,
-                                      orientation});
+        if (emits(scene_.materials[material]))
+            flat_.emissive.push_back({uint32_t(flat_.surfaces.size()), material, LIGHT_TRIANGLE,
+                                      p[0], p[1] - p[0], p[2] - p[0], 0.0f, orientation});
         flat_.surfaces.push_back(record);
     }
 

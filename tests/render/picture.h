@@ -92,12 +92,13 @@ inline Picture render_scene(const Scene& scene, const RenderOptions& options) {
     return render_packed(place_on_device(scene), scene.cameras.at(options.camera), options);
 }
 
-/// The scene files of the project, in alphabetical order.
+/// The scene files of the project, in alphabetical order, without the parts that they include.
 inline std::vector<std::filesystem::path> project_scenes() {
     std::vector<std::filesystem::path> scenes;
     const auto folder = std::filesystem::path(ONDE_SOURCE_DIR) / "scenes";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-        if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
+        if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "parts")
+            scenes.push_back(entry.path());
     std::ranges::sort(scenes);
     return scenes;
 }

@@ -223,6 +223,7 @@ TEST_CASE("every scene of the project loads without a note") {
     size_t count = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         if (entry.path().extension() != ".toml") continue;
+        if (entry.path().parent_path().filename() == "parts") continue; // for others to include
         INFO(entry.path().string());
         CHECK(load_scene(entry.path()).notes.empty());
         ++count;

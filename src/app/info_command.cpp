@@ -23,7 +23,8 @@ struct DeviceMemory {
     MemoryPlan plan;
 };
 
-constexpr std::array KIND_NAMES = {"diffuse", "conductor", "dielectric", "metallic-roughness"};
+constexpr std::array KIND_NAMES = {"diffuse", "conductor", "dielectric", "metallic-roughness",
+                                   "phong"};
 
 template <class T>
 uint64_t bytes_of(const std::vector<T>& values) {

@@ -2,6 +2,7 @@
 #include "app/cache_command.h"
 #include "app/compare_command.h"
 #include "app/devices_command.h"
+#include "app/gallery_command.h"
 #include "app/info_command.h"
 #include "app/inspect_command.h"
 #include "app/render_command.h"
@@ -37,6 +38,7 @@ int main(int argc, char** argv) try {
     onde::app::add_info_command(app);
     onde::app::add_inspect_command(app);
     onde::app::add_volumes_command(app);
+    onde::app::add_gallery_command(app, interrupted);
     onde::app::add_compare_command(app);
     onde::app::add_devices_command(app);
     onde::app::add_cache_command(app);

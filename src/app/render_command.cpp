@@ -1,5 +1,6 @@
 #include "app/render_command.h"
 
+#include "app/interrupt.h"
 #include "app/progress_line.h"
 #include "app/render_report.h"
 #include "app/render_request.h"
@@ -9,34 +10,13 @@
 #include "render/memory_plan.h"
 #include "render/test_map.h"
 #include "scene/load.h"
+#include "scene/mapping.h"
 #include "upload/device_scene.h"
 
-#include <atomic>
-#include <csignal>
 #include <memory>
 
 namespace onde::app {
 namespace {
-
-// A signal handler can reach nothing else.
-std::atomic<bool> stop_requested{false};
-
-/// While it lives, the first Ctrl-C asks the render to stop; the second one kills the program.
-class StopOnInterrupt {
-  public:
-    StopOnInterrupt() {
-        previous_ = std::signal(SIGINT, [](int) {
-            stop_requested = true;
-            std::signal(SIGINT, SIG_DFL);
-        });
-    }
-    ~StopOnInterrupt() { std::signal(SIGINT, previous_); }
-    StopOnInterrupt(const StopOnInterrupt&) = delete;
-    StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
-
-  private:
-    void (*previous_)(int);
-};
 
 Scene load(const RenderRequest& request) {
     Scene scene = load_requested_scene(request);
@@ -96,7 +76,7 @@ RenderOutcome render_until_done(Integrator& integrator, const RenderReport& repo
                  report.options.height, report.device.name,
                  report.kernels.from_cache ? "loaded" : "compiled", report.kernels.seconds);
     ProgressLine line(quiet);
-    const RenderOutcome outcome = render(integrator, report.options, stop_requested,
+    const RenderOutcome outcome = render(integrator, report.options, interrupt.requested(),
                                          [&](const Progress& progress) { line.show(progress); });
     line.finish();
     return outcome;
@@ -118,6 +98,8 @@ bool run(const RenderRequest& request) {
     report.load_seconds = loading.seconds();
     report.device = device.facts();
     report.options = resolve_options(request, scene, device.facts());
+    for (const std::string& note : mapping_notes(scene, report.options.integrator))
+        spdlog::info("{}", note);
     report.scene = request.scene.string();
     report.scene_hash = scene_hash(scene);
     MemoryPlan plan = plan_memory(report.options);

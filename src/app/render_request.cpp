@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/log.h"
 #include "render/frame.h"
 #include "scene/load.h"
 
@@ -161,6 +162,18 @@ void declare_reports(CLI::App& command, RenderRequest& r) {
     command.add_flag("--quiet", r.quiet, "Print warnings and errors only");
 }
 
+/// The request's depth, or the scene's as far as an integrator that it does not ask for takes it.
+uint32_t resolve_depth(const RenderRequest& request, const RenderSettings& own,
+                       const RenderOptions& options) {
+    if (request.depth) return *request.depth;
+    const uint32_t depth = own.depth.value_or(options.depth), most = most_depth(options.integrator);
+    const bool is_own = options.integrator == own.integrator.value_or(IntegratorKind::path);
+    if (is_own || depth <= most) return depth;
+    spdlog::info("the scene's depth of {} was cut to {}, the most that --integrator {} takes",
+                 depth, most, integrator_name(options.integrator));
+    return most;
+}
+
 /// Waves are rounded up to whole chunks.
 void resolve_settings(const RenderRequest& request, gpu::DeviceSettings& settings) {
     settings.width = request.width.value_or(settings.width);
@@ -224,19 +237,24 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
     const uint32_t by_default = options.seconds > 0 ? 1u << 20 : options.samples;
     options.samples = request.samples.value_or(
         options.seconds > 0 ? by_default : own.samples.value_or(by_default));
-    options.depth = request.depth.value_or(own.depth.value_or(options.depth));
     options.seed = request.seed.value_or(own.seed.value_or(options.seed));
     options.filter = request.filter.value_or(own.filter.value_or(options.filter));
     options.camera = find_camera(request.camera, scene);
     if (!scene.cameras.empty())
         check_screen(scene.cameras[options.camera], options.width, options.height);
     options.integrator = request.integrator.value_or(own.integrator.value_or(options.integrator));
+    options.depth = resolve_depth(request, own, options);
     options.tree_slots = request.tree_slots.value_or(options.tree_slots);
     options.engine = request.engine.value_or(options.engine);
     options.settings = gpu::default_settings(facts);
     resolve_settings(request, options.settings);
     check_options(options);
     return options;
+}
+
+const std::string& integrator_name(IntegratorKind kind) {
+    return std::ranges::find(INTEGRATORS, kind, [](const auto& line) { return line.second; })
+        ->first;
 }
 
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name) {

@@ -53,6 +53,9 @@ void check_request(const RenderRequest& request);
 RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
                               const gpu::DeviceFacts& facts);
 
+/// The word of `--integrator`.
+const std::string& integrator_name(IntegratorKind kind);
+
 /// Where a picture's companion of that name goes: out.png's "tests" to out.tests.png.
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name);
 

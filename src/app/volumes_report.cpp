@@ -1,5 +1,7 @@
 #include "app/volumes_report.h"
 
+#include "app/markup.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,19 +23,6 @@ struct Bar {
     std::string name;
     double value;
 };
-
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '&')
-            safe += "&amp;";
-        else if (c == '<')
-            safe += "&lt;";
-        else
-            safe += c;
-    }
-    return safe;
-}
 
 /// One chart of horizontal bars from `top` on; lengths by value, or by its logarithm.
 std::string chart(const std::string& title, const std::vector<Bar>& bars, double top,

@@ -114,7 +114,8 @@ void store_binary(const ProgramCache& cache, const std::string& key, const cl::P
 } // namespace
 
 std::vector<std::string> device_options(const DeviceFacts& facts) {
-    std::vector<std::string> options{"-cl-std=CL1.2", "-cl-kernel-arg-info"};
+    // Without -w, PoCL's compiler counts its warnings on standard error, behind our back.
+    std::vector<std::string> options{"-cl-std=CL1.2", "-cl-kernel-arg-info", "-w"};
     if (facts.correctly_rounded_divide_sqrt)
         options.push_back("-cl-fp32-correctly-rounded-divide-sqrt");
     const bool takes_builtins = facts.is_pocl && facts.is_cpu;

@@ -13,15 +13,19 @@ static void check_range(const char* name, uint64_t value, uint64_t low, uint64_t
         throw InputError("{} {} is out of range; use {} to {}", name, value, low, high);
 }
 
+uint32_t most_depth(IntegratorKind integrator) {
+    return integrator == IntegratorKind::whitted ? MAX_TREE_DEPTH : COUNTER_BOUNCES - 1;
+}
+
 void check_options(const RenderOptions& options) {
     check_range("width", options.width, 1, 65535);
     check_range("height", options.height, 1, 65535);
     check_range("width x height", uint64_t(options.width) * options.height, 1, 1u << 28);
     check_range("samples per pixel", options.samples, 1, 1u << 24);
-    check_range("depth", options.depth, 1, COUNTER_BOUNCES - 1);
     check_range("tree slots", options.tree_slots, 1, 1u << 12);
-    if (options.integrator == IntegratorKind::whitted)
-        check_range("depth of --integrator whitted", options.depth, 1, MAX_TREE_DEPTH);
+    const bool is_whitted = options.integrator == IntegratorKind::whitted;
+    check_range(is_whitted ? "depth of --integrator whitted" : "depth", options.depth, 1,
+                most_depth(options.integrator));
     const gpu::DeviceSettings& s = options.settings;
     if (s.width != 1 && s.width != 8 && s.width != 16)
         throw InputError("width {} of lanes is not one of 1, 8, 16", s.width);

@@ -30,6 +30,9 @@ struct RenderOptions {
     uint32_t samples_in_flight = 16; ///< the most of one pixel in one wave; a power of two
 };
 
+/// The largest depth that an integrator takes.
+uint32_t most_depth(IntegratorKind integrator);
+
 /// Throws InputError unless every value is in its range.
 void check_options(const RenderOptions& options);
 

@@ -20,11 +20,14 @@ float exponent_of(float roughness) {
 }
 
 /// Lets `strength` and the radiometric `measure` = factor * strength follow from each other.
-void complete(glm::vec3& strength, glm::vec3& measure, float factor) {
-    if (largest(strength) <= 0.0f)
+void complete(glm::vec3& strength, glm::vec3& measure, float factor, DerivedLights& derived) {
+    if (largest(strength) <= 0.0f) {
         strength = measure / factor;
-    else if (largest(measure) <= 0.0f)
+        ++derived.strengths;
+    } else if (largest(measure) <= 0.0f) {
         measure = strength * factor;
+        ++derived.measures;
+    }
 }
 
 float area(const AreaLight& light) {
@@ -89,6 +92,7 @@ Material path_material(const Material& material) {
 void complete_lights(Scene& scene) {
     if (scene.point_lights.empty() && scene.directional_lights.empty() && scene.area_lights.empty())
         return;
+    scene.derived_lights = {};
     const SceneBounds bounds = scene_bounds(scene);
     const glm::vec3 center = 0.5f * bounds.low + 0.5f * bounds.high;
     const auto distance2 = [&](glm::vec3 from) {
@@ -96,12 +100,14 @@ void complete_lights(Scene& scene) {
         return std::max(glm::dot(d, d), 1e-12f);
     };
     for (PointLight& light : scene.point_lights)
-        complete(light.strength, light.intensity, PI * distance2(light.position));
+        complete(light.strength, light.intensity, PI * distance2(light.position),
+                 scene.derived_lights);
     for (DirectionalLight& light : scene.directional_lights)
-        complete(light.strength, light.irradiance, PI);
+        complete(light.strength, light.irradiance, PI, scene.derived_lights);
     for (AreaLight& light : scene.area_lights)
         complete(light.strength, scene.materials[light.material].emission,
-                 PI * distance2(middle(light)) / std::max(area(light), 1e-12f));
+                 PI * distance2(middle(light)) / std::max(area(light), 1e-12f),
+                 scene.derived_lights);
 }
 
 } // namespace onde

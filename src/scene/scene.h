@@ -6,6 +6,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "scene/lesson.h"
 
 #include <glm/glm.hpp>
 
@@ -185,6 +186,11 @@ struct RenderSettings {
     std::optional<IntegratorKind> integrator;
 };
 
+/// How many lights were given in one measure only (see PointLight), by the one that was derived.
+struct DerivedLights {
+    uint32_t strengths = 0, measures = 0;
+};
+
 struct Scene {
     std::vector<Texture> textures;
     std::vector<Material> materials;
@@ -195,10 +201,12 @@ struct Scene {
     std::vector<PointLight> point_lights;
     std::vector<DirectionalLight> directional_lights;
     std::vector<AreaLight> area_lights;
+    DerivedLights derived_lights; ///< filled in by complete_scene()
     Environment environment;
     std::vector<Camera> cameras;
     RenderSettings settings;
     WhittedSettings whitted;
+    std::optional<Lesson> lesson;
     std::vector<std::string> notes; ///< what was mapped, ignored or added, a sentence each
 };
 

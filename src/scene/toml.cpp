@@ -4,6 +4,7 @@
 #include "scene/load.h"
 #include "scene/loaders.h"
 #include "scene/phong.h"
+#include "scene/toml_lesson.h"
 #include "scene/toml_scene.h"
 
 #include <algorithm>
@@ -39,8 +40,9 @@ TomlScene::TomlScene(const fs::path& path, std::vector<fs::path> ancestors)
 
 Scene TomlScene::read(const TableReader& root) {
     root.allow({"camera", "film", "render", "whitted", "material", "shape", "light", "environment",
-                "include"});
+                "include", "lesson"});
     read_settings(root);
+    for (const TableReader& lesson : root.tables("lesson")) scene_.lesson = read_lesson(lesson);
     read_whitted(root);
     for (const TableReader& camera : root.tables("camera")) read_camera(camera);
     for (const TableReader& material : root.tables("material")) read_material(material);

@@ -96,6 +96,23 @@ TEST_CASE("--json writes the numbers of a render for scripts") {
     CHECK(report.at("kernels").at("fused").at("launches") == 1);
 }
 
+TEST_CASE("a scene given to another integrator is rendered, and what was mapped is told") {
+    const Folder folder;
+    const std::string furnace = ONDE_SOURCE_DIR "/scenes/furnace.toml"; // of depth 256
+    const Outcome whitted =
+        onde::test::onde(folder, render(furnace, {"--integrator", "whitted", "-o", "w.png"}));
+    INFO(whitted.err);
+    CHECK(whitted.code == 0);
+    CHECK_THAT(whitted.err, Catch::Contains("depth of 256 was cut to 255"));
+    const std::string tori = ONDE_SOURCE_DIR "/scenes/chapter/tori.toml";
+    const Outcome path =
+        onde::test::onde(folder, render(tori, {"--integrator", "path", "-o", "p.png"}));
+    INFO(path.err);
+    CHECK(path.code == 0);
+    CHECK_THAT(path.err, Catch::Contains("phong materials were taken as physical ones: 3 diffuse, "
+                                         "1 dielectric"));
+}
+
 TEST_CASE("--quiet prints nothing") {
     const Folder folder;
     const Outcome outcome = onde::test::onde(folder, render(CORNELL, {"--quiet"}));

@@ -1,0 +1,128 @@
+#include "scene/mapping.h"
+
+#include "scene/phong.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+namespace onde {
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+constexpr std::array KINDS = {"diffuse", "conductor", "dielectric", "metallic-roughness", "phong"};
+
+/// "2 diffuse, 1 dielectric": the materials that `is_mapped`, counted by the kind of `kind_of`.
+template <class IsMapped, class KindOf>
+std::string count_kinds(const Scene& scene, const IsMapped& is_mapped, const KindOf& kind_of) {
+    std::array<size_t, KINDS.size()> counts{};
+    for (const Material& material : scene.materials)
+        if (is_mapped(material)) ++counts[size_t(kind_of(material))];
+    std::vector<std::string> words;
+    for (size_t kind = 0; kind < KINDS.size(); ++kind)
+        if (counts[kind] > 0) words.push_back(fmt::format("{} {}", counts[kind], KINDS[kind]));
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+bool is_phong(const Material& material) {
+    return material.kind == MaterialKind::phong;
+}
+bool is_physical(const Material& material) {
+    return !is_phong(material);
+}
+bool glows(const Material& material) {
+    return material.emission != glm::vec3(0.0f);
+}
+
+size_t count_lights(const Scene& scene) {
+    return scene.point_lights.size() + scene.directional_lights.size() + scene.area_lights.size();
+}
+
+/// Glowing materials whose geometry is not of a light that Whitted knows.
+size_t count_unlisted_glow(const Scene& scene) {
+    std::vector<bool> listed(scene.materials.size());
+    for (const AreaLight& light : scene.area_lights) listed[light.material] = true;
+    size_t count = 0;
+    for (size_t i = 0; i < scene.materials.size(); ++i)
+        count += !listed[i] && glows(scene.materials[i]);
+    return count;
+}
+
+bool has_lens(const Scene& scene) {
+    return std::ranges::any_of(scene.cameras,
+                               [](const Camera& c) { return c.aperture_radius > 0; });
+}
+
+Sentences notes_of_light_transport(const Scene& scene) {
+    Sentences notes;
+    const std::string kinds = count_kinds(
+        scene, is_phong, [](const Material& material) { return path_material(material).kind; });
+    if (!kinds.empty()) notes.push_back("phong materials were taken as physical ones: " + kinds);
+    if (scene.derived_lights.measures > 0)
+        notes.push_back(fmt::format("{} lights have only the chapter's strength; their power was "
+                                    "chosen so that the scene's centre looks the same",
+                                    scene.derived_lights.measures));
+    if (scene.whitted.ambient || scene.whitted.background)
+        notes.push_back("the ambient light and background of [whitted] were left out; the "
+                        "[environment] counts");
+    return notes;
+}
+
+Sentences notes_of_whitted(const Scene& scene) {
+    Sentences notes;
+    const std::string kinds =
+        count_kinds(scene, is_physical, [](const Material& material) { return material.kind; });
+    if (!kinds.empty()) notes.push_back("materials were taken as phong ones: " + kinds);
+    if (scene.derived_lights.strengths > 0)
+        notes.push_back(
+            fmt::format("{} lights have only a power; their strength was chosen so that "
+                        "the scene's centre looks the same",
+                        scene.derived_lights.strengths));
+    if (const size_t glowing = count_unlisted_glow(scene))
+        notes.push_back(
+            fmt::format("{} glowing materials are seen but light nothing: only [[light]] "
+                        "does",
+                        glowing));
+    if (scene.environment.map && !scene.whitted.ambient)
+        notes.push_back("of the environment map the ambient light has its factor only");
+    if (has_lens(scene)) notes.push_back("the lens was taken as a pinhole");
+    return notes;
+}
+
+Sentences notes_of_raster(const Scene& scene) {
+    Sentences notes;
+    const size_t lights = count_lights(scene);
+    const bool bends = std::ranges::any_of(scene.materials, [](const Material& material) {
+        return phong_of(material).reflection > 0 || material.phong.reflection > 0 ||
+               material.kind == MaterialKind::dielectric || material.phong.transmission > 0;
+    });
+    std::vector<std::string> left_out;
+    if (lights > 0) left_out.push_back(fmt::format("{} lights", lights));
+    if (std::ranges::any_of(scene.materials, glows)) left_out.push_back("glow");
+    if (bends) left_out.push_back("reflection and refraction");
+    if (!left_out.empty())
+        notes.push_back(
+            fmt::format("surfaces show their own colour; left out: {}", fmt::join(left_out, ", ")));
+    if (has_lens(scene)) notes.push_back("the lens was left out: all rays are parallel");
+    return notes;
+}
+
+} // namespace
+
+Sentences mapping_notes(const Scene& scene, IntegratorKind integrator) {
+    switch (integrator) {
+    case IntegratorKind::path:
+    case IntegratorKind::light:
+        return notes_of_light_transport(scene);
+    case IntegratorKind::whitted:
+        return notes_of_whitted(scene);
+    case IntegratorKind::depth_buffer:
+    case IntegratorKind::painter:
+        return notes_of_raster(scene);
+    }
+    return {};
+}
+
+} // namespace onde

@@ -37,13 +37,15 @@ void print_report(const SetReport& report) {
 }
 
 void print_summary(const std::vector<SetReport>& reports) {
+    size_t width = 5;
+    for (const SetReport& report : reports) width = std::max(width, report.scene.size());
     fmt::print("\nbest of Onde over best of Embree, Mrays/s\n");
-    fmt::print("  {:<28} {:<8} {:>6} {:>9}  {:<12} {:>9}  {:<26} {:>9}\n", "scene", "set", "ratio",
-               "Onde", "", "Embree", "", "different");
+    fmt::print("  {:<{}} {:<8} {:>6} {:>9}  {:<12} {:>9}  {:<26} {:>9}\n", "scene", width, "set",
+               "ratio", "Onde", "", "Embree", "", "different");
     for (const SetReport& report : reports) {
         const Timing &onde = report.best(Side::onde), &embree = report.best(Side::embree);
-        fmt::print("  {:<28} {:<8} {:6.2f} {:9.2f}  {:<12} {:9.2f}  {:<26} {:9}\n", report.scene,
-                   report.set, report.ratio(), report.mrays(onde), onde.contender,
+        fmt::print("  {:<{}} {:<8} {:6.2f} {:9.2f}  {:<12} {:9.2f}  {:<26} {:9}\n", report.scene,
+                   width, report.set, report.ratio(), report.mrays(onde), onde.contender,
                    report.mrays(embree), embree.contender, onde.mismatches);
     }
 }

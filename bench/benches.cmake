@@ -1,5 +1,7 @@
+include(${CMAKE_CURRENT_LIST_DIR}/shared.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/engines.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/traversal.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/build.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/solvers.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/leaks.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/raster.cmake)

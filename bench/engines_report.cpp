@@ -1,63 +1,44 @@
 #include "engines_report.h"
 
-#include "core/error.h"
-#include "core/files.h"
-
 #include <fmt/chrono.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 
 namespace onde::bench {
 namespace {
-
-/// The commit of the source folder now, with "-dirty" where files differ from it. Asked for at run
-/// time: a commit alone neither configures nor builds again.
-std::string find_commit() {
-    constexpr const char* COMMAND = "GIT_OPTIONAL_LOCKS=0 git -C '" ONDE_SOURCE_DIR
-                                    "' describe --always --dirty --abbrev=12 --exclude='*' "
-                                    "2>/dev/null";
-    const std::unique_ptr<FILE, int (*)(FILE*)> git(popen(COMMAND, "r"), pclose);
-    std::array<char, 64> line{};
-    if (!git || !std::fgets(line.data(), line.size(), git.get())) return "unknown";
-    const std::string commit = line.data();
-    return commit.substr(0, commit.find('\n'));
-}
 
 /// Times that of the native tracer.
 double speed(const SceneReport& report, const Result& result) {
     return report.results.back().median() / result.median();
 }
 
-nlohmann::json json_of(const Circumstances& c, const SceneReport& report, const Result& r) {
+Json json_of(const Circumstances& c, const SceneReport& report, const Result& r) {
     const double rays = double(r.first.rays);
-    nlohmann::json json = {{"device", c.device},
-                           {"commit", c.commit},
-                           {"date", c.date},
-                           {"width", c.frame.width},
-                           {"height", c.frame.height},
-                           {"samples", c.frame.samples},
-                           {"depth", c.frame.depth},
-                           {"native_threads", c.native_threads},
-                           {"repeats", c.repeats},
-                           {"scene", report.scene},
-                           {"triangles", report.triangles},
-                           {"spheres", report.spheres},
-                           {"variant", r.variant},
-                           {"settings", r.settings},
-                           {"median_seconds", r.median()},
-                           {"min_seconds", r.fastest()},
-                           {"max_seconds", r.slowest()},
-                           {"seconds", r.seconds},
-                           {"first_frame_seconds", r.first.seconds},
-                           {"mrays_per_second", rays / r.median() * 1e-6},
-                           {"mpaths_per_second", c.frame.paths() / r.median() * 1e-6},
-                           {"rays_per_path", rays / c.frame.paths()},
-                           {"ratio_to_native", speed(report, r)}};
+    Json json = {{"device", c.device},
+                 {"commit", c.commit},
+                 {"date", c.date},
+                 {"width", c.frame.width},
+                 {"height", c.frame.height},
+                 {"samples", c.frame.samples},
+                 {"depth", c.frame.depth},
+                 {"native_threads", c.native_threads},
+                 {"repeats", c.repeats},
+                 {"scene", report.scene},
+                 {"triangles", report.triangles},
+                 {"spheres", report.spheres},
+                 {"variant", r.variant},
+                 {"settings", r.settings},
+                 {"median_seconds", r.median()},
+                 {"min_seconds", r.fastest()},
+                 {"max_seconds", r.slowest()},
+                 {"seconds", r.seconds},
+                 {"first_frame_seconds", r.first.seconds},
+                 {"mrays_per_second", rays / r.median() * 1e-6},
+                 {"mpaths_per_second", c.frame.paths() / r.median() * 1e-6},
+                 {"rays_per_path", rays / c.frame.paths()},
+                 {"ratio_to_native", speed(report, r)}};
     if (r.variant != NATIVE) json["compile_seconds"] = r.compile_seconds;
     return json;
 }
@@ -65,9 +46,7 @@ nlohmann::json json_of(const Circumstances& c, const SceneReport& report, const 
 } // namespace
 
 double Result::median() const {
-    std::vector<double> sorted = seconds;
-    std::ranges::sort(sorted);
-    return sorted[sorted.size() / 2];
+    return bench::median(seconds);
 }
 double Result::fastest() const {
     return *std::ranges::min_element(seconds);
@@ -81,7 +60,7 @@ Circumstances describe_circumstances(const gpu::DeviceFacts& facts, const FrameO
     const std::string device = fmt::format("{}, {} units, {} ({})", facts.name, facts.compute_units,
                                            facts.platform, facts.driver_version);
     const std::string date = fmt::format("{:%Y-%m-%dT%H:%MZ}", fmt::gmtime(std::time(nullptr)));
-    return {device, find_commit(), date, frame, native_threads, repeats};
+    return {device, source_commit(), date, frame, native_threads, repeats};
 }
 
 void print_header(const Circumstances& c) {
@@ -114,15 +93,11 @@ void print_report(const SceneReport& report, const FrameOptions& frame) {
 
 void write_json(const Circumstances& circumstances, const std::vector<SceneReport>& reports,
                 const std::filesystem::path& path) {
-    nlohmann::json list = nlohmann::json::array();
+    Json list = Json::array();
     for (const SceneReport& report : reports)
         for (const Result& result : report.results)
             list.push_back(json_of(circumstances, report, result));
-    replace_file(path, [&](const std::filesystem::path& temporary) {
-        std::ofstream out(temporary);
-        out << list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-        if (!out.flush()) throw InputError("{}: cannot be written", path.string());
-    });
+    write_json(list, path);
 }
 
 } // namespace onde::bench

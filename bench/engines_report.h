@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engines_contender.h"
+#include "figures.h"
 
 #include <filesystem>
 #include <string>
@@ -16,7 +17,7 @@ struct Result {
     std::string variant, settings;
     double compile_seconds = 0; ///< of the kernels, nothing cached; 0 for the native tracer
     Frame first;                ///< the warm-up; the rays of the others are as many
-    std::vector<double> seconds{};
+    Samples seconds{};
 
     double median() const;
     double fastest() const;

@@ -1,89 +1,107 @@
 #include "traversal_embree.h"
 
-#include "core/timer.h"
+#include "traversal_batch.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <atomic>
-#include <cstring>
+#ifdef __SSE__
+    #include <xmmintrin.h>
+#endif
 
 namespace onde::bench {
 
 namespace {
 
-bool count_bytes(void* total, ssize_t bytes, bool) {
-    std::atomic_ref(*static_cast<int64_t*>(total)) += bytes;
-    return true;
+/// Flushes denormal numbers to zero in this thread while it lives.
+class FlushDenormals {
+#ifdef __SSE__
+  public:
+    FlushDenormals() {
+        _mm_setcsr(before_ | 0x8040);
+    }
+    ~FlushDenormals() {
+        _mm_setcsr(before_);
+    }
+    FlushDenormals(const FlushDenormals&) = delete;
+    FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+  private:
+    unsigned before_ = _mm_getcsr();
+#endif
+};
+
+template <class Batch, class Answer>
+void answer_range(RTCScene scene, RTCIntersectContextFlags flags, std::span<const Ray> rays,
+                  std::span<Answer> answers) {
+    [[maybe_unused]] const FlushDenormals flush;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = flags;
+    Batch batch;
+    for (size_t first = 0; first < rays.size(); first += Batch::SIZE) {
+        const size_t count = std::min(Batch::SIZE, rays.size() - first);
+        batch.load(rays.subspan(first, count));
+        batch.ask(scene, context);
+        for (size_t i = 0; i < count; ++i) answers[first + i] = batch.answer(i);
+    }
 }
 
-template <class T>
-void set_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
-                const std::vector<T>& values) {
-    void* memory = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), values.size());
-    std::memcpy(memory, values.data(), values.size() * sizeof(T));
-}
-
-template <class Body>
-void for_chunks(size_t count, const Body& body) {
-    tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 2048), [&](const auto& range) {
-        for (size_t i = range.begin(); i < range.end(); ++i) body(i);
+template <class Batch, class Answer>
+void answer(RTCScene scene, EmbreeMode mode, std::span<const Ray> rays, std::span<Answer> answers) {
+    constexpr size_t RANGE = 1024; // no packet is cut but the last
+    static_assert(RANGE % Batch::SIZE == 0);
+    tbb::parallel_for(size_t(0), (rays.size() + RANGE - 1) / RANGE, [&](size_t i) {
+        const size_t first = i * RANGE, count = std::min(RANGE, rays.size() - first);
+        answer_range<Batch, Answer>(scene, mode.flags, rays.subspan(first, count),
+                                    answers.subspan(first, count));
     });
 }
 
-RTCRay embree_ray(const Ray& ray) {
-    return {ray.origin.x,
-            ray.origin.y,
-            ray.origin.z,
-            ray.t_min,
-            ray.direction.x,
-            ray.direction.y,
-            ray.direction.z,
-            0.0f,
-            ray.t_max,
-            ~0u,
-            0,
-            0};
+template <class Query, class Query8, class Query16, class Answer>
+void answer_by(RTCScene scene, EmbreeMode mode, std::span<const Ray> rays,
+               std::span<Answer> answers) {
+    switch (mode.call) {
+    case EmbreeCall::single:
+        return answer<Single<Query>>(scene, mode, rays, answers);
+    case EmbreeCall::packet8:
+        return answer<Packet<Query8, 8>>(scene, mode, rays, answers);
+    case EmbreeCall::packet16:
+        return answer<Packet<Query16, 16>>(scene, mode, rays, answers);
+    case EmbreeCall::stream64:
+        return answer<Stream<Query>>(scene, mode, rays, answers);
+    }
 }
 
 } // namespace
 
-EmbreeTracer::EmbreeTracer(const Model& model, RTCBuildQuality quality)
-    : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_.get())) {
-    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    set_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, model.positions);
-    set_buffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, model.triangles);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_.get(), geometry);
-    rtcReleaseGeometry(geometry);
-    rtcSetSceneBuildQuality(scene_.get(), quality);
-    rtcSetDeviceMemoryMonitorFunction(device_.get(), count_bytes, bytes_.get());
-    const Timer timer;
-    rtcCommitScene(scene_.get());
-    build_seconds_ = timer.seconds();
+std::string EmbreeMode::name() const {
+    constexpr const char* NAMES[] = {"embree single", "embree packet8", "embree packet16",
+                                     "embree stream64"};
+    const std::string name = NAMES[size_t(call)];
+    if (call == EmbreeCall::single) return name;
+    return name + (flags == RTC_INTERSECT_CONTEXT_FLAG_COHERENT ? " coherent" : " incoherent");
 }
 
-void EmbreeTracer::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
-    for_chunks(rays.size(), [&](size_t i) {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRayHit query;
-        query.ray = embree_ray(rays[i]);
-        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        query.hit.primID = BVH_NONE;
-        rtcIntersect1(scene_.get(), &context, &query);
-        hits[i] = {query.ray.tfar, query.hit.u, query.hit.v, query.hit.primID, BVH_NONE};
-    });
+std::vector<EmbreeMode> embree_modes(const EmbreeScene& scene) {
+    std::vector<EmbreeMode> modes = {EMBREE_SINGLE};
+    for (EmbreeCall call : {EmbreeCall::packet8, EmbreeCall::packet16, EmbreeCall::stream64}) {
+        if (call == EmbreeCall::stream64 &&
+            !rtcGetDeviceProperty(scene.device(), RTC_DEVICE_PROPERTY_RAY_STREAM_SUPPORTED))
+            continue;
+        modes.push_back({call, RTC_INTERSECT_CONTEXT_FLAG_COHERENT});
+        modes.push_back({call, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT});
+    }
+    return modes;
 }
 
-void EmbreeTracer::occluded(std::span<const Ray> rays, std::span<uint32_t> blocked) const {
-    for_chunks(rays.size(), [&](size_t i) {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRay query = embree_ray(rays[i]);
-        rtcOccluded1(scene_.get(), &context, &query);
-        blocked[i] = query.tfar < 0.0f;
-    });
+void embree_closest(const EmbreeScene& scene, EmbreeMode mode, std::span<const Ray> rays,
+                    std::span<Hit> hits) {
+    answer_by<RTCRayHit, RTCRayHit8, RTCRayHit16>(scene.get(), mode, rays, hits);
+}
+
+void embree_occluded(const EmbreeScene& scene, EmbreeMode mode, std::span<const Ray> rays,
+                     std::span<uint32_t> blocked) {
+    answer_by<RTCRay, RTCRay8, RTCRay16>(scene.get(), mode, rays, blocked);
 }
 
 } // namespace onde::bench

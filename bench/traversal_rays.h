@@ -2,7 +2,7 @@
 // all contenders.
 #pragma once
 
-#include "traversal_model.h"
+#include "model.h"
 
 namespace onde::bench {
 
@@ -24,18 +24,20 @@ static_assert(sizeof(Hit) == 20);
 struct RaySet {
     std::string name;
     bool any_hit = false;
-    std::vector<Ray> rays;
+    std::vector<Ray> rays{};
 };
 
-class EmbreeTracer;
+class EmbreeScene;
 
-/// Five sets from a picture of side x side pixels, 4 samples each, in tiles of 8 x 8:
+/// Five sets from pictures of side x side pixels, 4 samples each, in tiles of 8 x 8:
 ///   primary  through the pixels, from a pinhole
 ///   shadow   from what they hit to a jittered point near the light (any hit)
 ///   ao       from there, cosine-distributed, a twentieth of the extent long (any hit)
 ///   bounce   from there, cosine-distributed: the first diffuse bounce
 ///   bounce3  the third
-/// Rays that would start where nothing was hit are left out.
-std::vector<RaySet> record_rays(const Model& model, const EmbreeTracer& oracle, uint32_t side);
+/// Rays that would start where nothing was hit are left out. The rays of as many pictures, with
+/// other samples, follow each other until a set has half as many rays as primary, or of 64 where
+/// little is hit; a set may be empty.
+std::vector<RaySet> record_rays(const Model& model, const EmbreeScene& oracle, uint32_t side);
 
 } // namespace onde::bench

@@ -1,86 +1,83 @@
 #include "traversal_report.h"
 
-#include "core/error.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <cstdio>
+#include <thread>
 
 namespace onde::bench {
 
-namespace {
+double SetReport::mrays(const Timing& timing) const {
+    return double(rays) / median(timing.seconds) * 1e-6;
+}
 
-double median_of(const Report& report, const std::string& set, const std::string& contender) {
+const Timing& SetReport::best(Side side) const {
+    const auto rate = [&](const Timing& timing) {
+        return timing.side == side ? mrays(timing) : 0.0;
+    };
+    return *std::ranges::max_element(timings, {}, rate);
+}
+
+double SetReport::ratio() const {
+    return mrays(best(Side::onde)) / mrays(best(Side::embree));
+}
+
+void print_report(const SetReport& report) {
+    fmt::print("\n{}, {}: {} rays, {} triangles\n", report.scene, report.set, report.rays,
+               report.triangles);
+    fmt::print("  {:<26} {:>9} {:>7} {:>7} {:>10}\n", "contender", "Mrays/s", "spread", "ratio",
+               "different");
+    const double best = report.mrays(report.best(Side::embree));
     for (const Timing& timing : report.timings)
-        if (timing.set == set && timing.contender == contender) return timing.median();
-    return 0;
+        fmt::print("  {:<26} {:9.2f} {:6.0f}% {:7.2f} {:10}\n", timing.contender,
+                   report.mrays(timing), 100 * spread(timing.seconds), report.mrays(timing) / best,
+                   timing.mismatches);
+    std::fflush(stdout);
 }
 
-std::string json_of(const Build& build) {
-    return fmt::format(R"({{"builder": "{}", "seconds": {:.4f}, "mtriangles_per_second": {:.3f}, )"
-                       R"("bytes_per_triangle": {:.1f}, "sah_cost": {:.3f}}})",
-                       build.builder, build.seconds, build.mtriangles, build.bytes_per_triangle,
-                       build.sah_cost);
+void print_summary(const std::vector<SetReport>& reports) {
+    size_t width = 5;
+    for (const SetReport& report : reports) width = std::max(width, report.scene.size());
+    fmt::print("\nbest of Onde over best of Embree, Mrays/s\n");
+    fmt::print("  {:<{}} {:<8} {:>6} {:>9}  {:<12} {:>9}  {:<26} {:>9}\n", "scene", width, "set",
+               "ratio", "Onde", "", "Embree", "", "different");
+    for (const SetReport& report : reports) {
+        const Timing &onde = report.best(Side::onde), &embree = report.best(Side::embree);
+        fmt::print("  {:<{}} {:<8} {:6.2f} {:9.2f}  {:<12} {:9.2f}  {:<26} {:9}\n", report.scene,
+                   width, report.set, report.ratio(), report.mrays(onde), onde.contender,
+                   report.mrays(embree), embree.contender, onde.mismatches);
+    }
 }
 
-std::string json_of(const Timing& timing) {
-    return fmt::format(
-        R"({{"set": "{}", "contender": "{}", "rays": {}, "mrays_per_second": {:.3f}, )"
-        R"("spread": {:.3f}, "differences": {}, "seconds": [{:.5f}]}})",
-        timing.set, timing.contender, timing.rays, timing.mrays(), timing.spread(),
-        timing.differences, fmt::join(timing.seconds, ", "));
+static Json json_of(const SetReport& report) {
+    const Timing &onde = report.best(Side::onde), &embree = report.best(Side::embree);
+    Json modes = Json::object();
+    for (const Timing& timing : report.timings) modes[timing.contender] = report.mrays(timing);
+    return {{"scene", report.scene},
+            {"set", report.set},
+            {"onde_mrays", report.mrays(onde)},
+            {"embree_best_mrays", report.mrays(embree)},
+            {"embree_best_mode", embree.contender},
+            {"ratio", report.ratio()},
+            {"mismatches", onde.mismatches},
+            {"onde_best_variant", onde.contender},
+            {"modes", modes},
+            {"rays", report.rays},
+            {"triangles", report.triangles},
+            {"repetitions", onde.seconds.size()}};
 }
 
-template <class T>
-std::string json_list(const std::vector<T>& values) {
-    std::vector<std::string> parts;
-    for (const T& value : values) parts.push_back("      " + json_of(value));
-    return fmt::format("[\n{}\n    ]", fmt::join(parts, ",\n"));
-}
-
-std::string json_of(const Report& report) {
-    return fmt::format("  {{\n    \"scene\": \"{}\", \"triangles\": {}, \"device\": \"{}\",\n"
-                       "    \"version\": \"{}\",\n    \"builds\": {},\n    \"timings\": {}\n  }}",
-                       report.scene, report.triangles, report.device, ONDE_VERSION,
-                       json_list(report.builds), json_list(report.timings));
-}
-
-} // namespace
-
-double Timing::median() const {
-    std::vector<double> sorted = seconds;
-    std::ranges::sort(sorted);
-    return sorted[sorted.size() / 2];
-}
-
-double Timing::spread() const {
-    const auto [fastest, slowest] = std::ranges::minmax(seconds);
-    return (slowest - fastest) / median();
-}
-
-void print_report(const Report& report, const std::string& reference) {
-    fmt::print("\n{}: {} triangles, {}\n", report.scene, report.triangles, report.device);
-    for (const Build& build : report.builds)
-        fmt::print("  build {:<14} {:7.3f} s {:7.2f} Mtriangles/s {:7.1f} bytes/triangle{}\n",
-                   build.builder, build.seconds, build.mtriangles, build.bytes_per_triangle,
-                   build.sah_cost > 0 ? fmt::format("  SAH cost {:.2f}", build.sah_cost) : "");
-    fmt::print("  {:<9} {:<15} {:>9} {:>8} {:>7} {:>8} {:>10}\n", "rays", "contender", "Mrays/s",
-               "ratio", "spread", "count", "different");
-    for (const Timing& timing : report.timings)
-        fmt::print("  {:<9} {:<15} {:9.2f} {:8.2f} {:6.0f}% {:8} {:10}\n", timing.set,
-                   timing.contender, timing.mrays(),
-                   median_of(report, timing.set, reference) / timing.median(),
-                   100 * timing.spread(), timing.rays, timing.differences);
-}
-
-void write_json(const std::vector<Report>& reports, const std::string& path) {
-    std::vector<std::string> parts;
-    for (const Report& report : reports) parts.push_back(json_of(report));
-    std::ofstream file(path);
-    file << fmt::format("[\n{}\n]\n", fmt::join(parts, ",\n"));
-    if (!file.flush())
-        throw InputError("{} can't be written; choose a folder that exists and is writable", path);
+Json json_of(const std::vector<SetReport>& reports, const std::string& device) {
+    const std::string commit = source_commit();
+    Json list = Json::array();
+    for (const SetReport& report : reports) {
+        list.push_back(json_of(report));
+        list.back()["device"] = device;
+        list.back()["threads"] = std::thread::hardware_concurrency();
+        list.back()["commit"] = commit;
+    }
+    return list;
 }
 
 } // namespace onde::bench

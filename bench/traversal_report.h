@@ -1,40 +1,28 @@
-// Medians, spreads, a table for people and a JSON file for machines.
+// Rates, spreads, ratios: tables for people and JSON for machines.
 #pragma once
 
-#include <string>
-#include <vector>
+#include "traversal_race.h"
 
 namespace onde::bench {
 
-/// Repetitions of one contender on one ray set.
-struct Timing {
-    std::string set, contender;
-    size_t rays = 0;
-    std::vector<double> seconds{};
-    size_t differences = 0; ///< answers unlike the reference's
-
-    double median() const;
-    double mrays() const { return double(rays) / median() * 1e-6; }
-    double spread() const; ///< (slowest - fastest) / median
-};
-
-struct Build {
-    std::string builder;
-    double seconds = 0, mtriangles = 0, bytes_per_triangle = 0;
-    double sah_cost = 0; ///< 0 where unknown
-};
-
-struct Report {
-    std::string scene, device;
-    size_t triangles = 0;
-    std::vector<Build> builds{};
+/// All contenders on one ray set of one scene.
+struct SetReport {
+    std::string scene, set;
+    size_t triangles = 0, rays = 0;
     std::vector<Timing> timings{};
+
+    double mrays(const Timing& timing) const; ///< per second
+    const Timing& best(Side side) const;      ///< the fastest by median
+    double ratio() const;                     ///< best of Onde, not watertight, over best of Embree
 };
 
-/// Rates in Mrays/s, ratios to `reference` on the same set, spreads in percent.
-void print_report(const Report& report, const std::string& reference);
+/// One set: rates in Mrays/s, and their ratio to Embree's best.
+void print_report(const SetReport& report);
 
-/// Throws InputError when the file can't be written.
-void write_json(const std::vector<Report>& reports, const std::string& path);
+/// One line a scene and set: the best of Onde beside the best of Embree.
+void print_summary(const std::vector<SetReport>& reports);
+
+/// A list of one object per scene and set.
+Json json_of(const std::vector<SetReport>& reports, const std::string& device);
 
 } // namespace onde::bench

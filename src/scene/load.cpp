@@ -20,9 +20,11 @@ Scene load_part(const fs::path& path, const std::vector<fs::path>& ancestors) {
     const std::string extension = lower_extension(path);
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
     if (extension == ".obj") return load_obj(path);
+    if (extension == ".ply") return load_ply(path);
     if (extension == ".toml") return load_toml(path, ancestors);
-    throw InputError("{}: '{}' is not a scene format of ours; give a .gltf, .glb, .obj or .toml",
-                     path.string(), extension);
+    throw InputError(
+        "{}: '{}' is not a scene format of ours; give a .gltf, .glb, .obj, .ply or .toml",
+        path.string(), extension);
 }
 
 Scene load_scene(const fs::path& path) {

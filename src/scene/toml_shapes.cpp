@@ -115,7 +115,7 @@ void TomlScene::add_mesh_file(const TableReader& table) {
         if (table.has(key)) table.fail(key, "can't go with file; give one of them");
     const std::string file = *table.text("file");
     if (fs::path(file).extension() == ".toml")
-        table.fail("file", "must be a .obj, .gltf or .glb; include scenes by [[include]]");
+        table.fail("file", "must be a .obj, .ply, .gltf or .glb; include scenes by [[include]]");
     const int64_t material = table.has("material") ? int64_t(material_named_in(table)) : -1;
     place(table, "file", file, part(table, "file", file, true, material), placement(table));
 }

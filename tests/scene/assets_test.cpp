@@ -17,8 +17,8 @@ struct Tally {
     size_t loaded = 0, refused = 0;
 };
 
-Tally load_all(const fs::path& folder) {
-    const std::set<std::string> formats = {".gltf", ".glb", ".obj"};
+Tally load_all(const fs::path& folder,
+               const std::set<std::string>& formats = {".gltf", ".glb", ".obj", ".ply"}) {
     Tally tally;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file() || !formats.contains(entry.path().extension())) continue;
@@ -51,7 +51,16 @@ TEST_CASE("glTF sample models load unless they need an extension that we lack") 
 TEST_CASE("OBJ models load unless they hold no faces or are damaged") {
     const auto folder = test::find_asset("obj");
     if (!folder) return;
-    CHECK(load_all(*folder).loaded >= 25);
+    CHECK(load_all(*folder, {".obj"}).loaded >= 25);
+}
+
+TEST_CASE("PLY models load unless they hold no faces") {
+    const auto folder = test::find_asset("obj"), meshes = test::find_asset("pbrt");
+    if (!folder || !meshes) return;
+    const Tally tally = load_all(*folder, {".ply"});
+    CHECK(tally.loaded == 3);
+    CHECK(tally.refused == 2); // one of strips, one of vertices only
+    CHECK(load_all(*meshes, {".ply"}).loaded >= 84);
 }
 
 TEST_CASE("invalid files are refused or load as valid scenes") {

@@ -1,6 +1,7 @@
-#include "traversal_model.h"
+#include "model.h"
 
 #include "core/error.h"
+#include "core/log.h"
 #include "scene/load.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -38,11 +39,24 @@ Model load_model(const std::string& path) {
     for (const Instance& instance : scene.instances)
         append(model, scene.meshes[instance.mesh], instance.object_to_world);
     if (model.triangles.empty())
-        throw InputError("{} has no triangles; choose a scene with a mesh", path);
+        throw InputError("{}: has no triangles; choose a scene with a mesh", path);
     measure(model);
     model.camera = scene.cameras.at(0);
     if (!scene.point_lights.empty()) model.light = scene.point_lights[0].position;
     return model;
+}
+
+std::vector<Model> load_models(const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) // all of them before the first, which may be long
+        if (!std::filesystem::is_regular_file(path))
+            throw InputError("{}: no such file; check the path", path);
+    std::vector<Model> models;
+    for (const std::string& path : paths) {
+        spdlog::info("loading {}", path);
+        models.push_back(load_model(path));
+    }
+    if (models.empty()) models.push_back(terrain_model(720));
+    return models;
 }
 
 Model terrain_model(uint32_t cells) {

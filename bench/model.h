@@ -1,4 +1,5 @@
-// The triangles that the traversal bench shoots at, in world space, and the eye that looks at them.
+// The triangles of which benches build trees and at which they shoot, in world space, and the eye
+// that looks at them.
 #pragma once
 
 #include "accel/bvh.h"
@@ -20,9 +21,12 @@ struct Model {
     Geometry geometry() const { return {positions, triangles, {}, 0}; }
 };
 
-/// A scene file with its instances flattened; spheres are left out. The light is the first point
-/// light, or a point above the middle.
+/// A scene file with its instances flattened; spheres and other shapes are left out. The light is
+/// the first point light, or a point above the middle. Throws InputError when there is no triangle.
 Model load_model(const std::string& path);
+
+/// One model a path; without any path, a terrain of a million triangles.
+std::vector<Model> load_models(const std::vector<std::string>& paths);
 
 /// A bumpy height field of 2 cells^2 triangles.
 Model terrain_model(uint32_t cells);

@@ -1,0 +1,14 @@
+# What several benches need: models, Embree's scenes, statistics, and what every main() does.
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(TBB REQUIRED)
+if(NOT TARGET embree)
+  find_package(embree 3 REQUIRED)
+endif()
+add_library(onde_bench_shared STATIC
+  ${CMAKE_CURRENT_LIST_DIR}/embree_scene.cpp ${CMAKE_CURRENT_LIST_DIR}/figures.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/front.cpp ${CMAKE_CURRENT_LIST_DIR}/model.cpp)
+target_include_directories(onde_bench_shared PUBLIC ${CMAKE_CURRENT_LIST_DIR})
+target_compile_definitions(onde_bench_shared PUBLIC ONDE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+target_link_libraries(onde_bench_shared PUBLIC onde_scene onde_accel embree TBB::tbb CLI11::CLI11
+                      nlohmann_json::nlohmann_json)

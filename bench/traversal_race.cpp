@@ -1,0 +1,119 @@
+#include "traversal_race.h"
+
+#include "traversal_embree.h"
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <thread>
+
+namespace onde::bench {
+
+namespace {
+
+/// Wall-clock seconds, or processor seconds of all threads over their number, which other work on
+/// the machine disturbs less.
+double now(bool cpu_time) {
+    if (cpu_time)
+        return double(std::clock()) / CLOCKS_PER_SEC / std::thread::hardware_concurrency();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+bool differs(const Hit& hit, const Hit& expected) {
+    return !(std::abs(hit.t - expected.t) <= 1e-4f * std::abs(expected.t));
+}
+bool differs(uint32_t blocked, uint32_t expected) {
+    return blocked != expected;
+}
+
+template <class Answer>
+size_t count_mismatches(const std::vector<Answer>& answers, const std::vector<Answer>& expected) {
+    size_t count = 0;
+    for (size_t i = 0; i < answers.size(); ++i) count += differs(answers[i], expected[i]);
+    return count;
+}
+
+class Race {
+  public:
+    Race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree, OndeTracer& onde,
+         OndeTracer& watertight)
+        : set_(set), device_(device), on_device_(device, set.rays), hits_(set.rays.size()),
+          blocked_(set.rays.size()) {
+        ask(embree, EMBREE_SINGLE);
+        expected_hits_ = hits_;
+        expected_blocked_ = blocked_;
+        for (const EmbreeMode& mode : embree_modes(embree)) add(embree, mode);
+        const auto single = set.any_hit ? &OndeTracer::occluded : &OndeTracer::closest;
+        add("onde single", Side::onde, onde, single);
+        if (!set.any_hit) add("onde packet", Side::onde, onde, &OndeTracer::closest_packet);
+        add("onde watertight single", Side::onde_watertight, watertight, single);
+    }
+
+    std::vector<Timing> run(const RaceOptions& options) {
+        std::vector<Timing> timings;
+        for (const Contender& contender : contenders_) { // warms up as well
+            contender.run();
+            timings.push_back({contender.name, contender.side, contender.mismatches()});
+        }
+        for (uint32_t repetition = 0; repetition < options.repetitions; ++repetition)
+            for (size_t i = 0; i < contenders_.size(); ++i) {
+                const double start = now(options.cpu_time);
+                contenders_[i].run();
+                timings[i].seconds.push_back(now(options.cpu_time) - start);
+            }
+        return timings;
+    }
+
+  private:
+    struct Contender {
+        std::string name;
+        Side side;
+        std::function<void()> run;
+        std::function<size_t()> mismatches; ///< of the last run
+    };
+
+    void ask(const EmbreeScene& embree, EmbreeMode mode) {
+        if (set_.any_hit)
+            embree_occluded(embree, mode, set_.rays, blocked_);
+        else
+            embree_closest(embree, mode, set_.rays, hits_);
+    }
+
+    void add(const EmbreeScene& embree, EmbreeMode mode) {
+        contenders_.push_back({mode.name(), Side::embree,
+                               [this, &embree, mode] { ask(embree, mode); },
+                               [this] { return mismatches(hits_, blocked_); }});
+    }
+
+    void add(const char* name, Side side, OndeTracer& onde,
+             void (OndeTracer::*trace)(const DeviceRays&)) {
+        contenders_.push_back({name, side, [this, &onde, trace] { (onde.*trace)(on_device_); },
+                               [this] {
+                                   return mismatches(on_device_.hits.read(device_),
+                                                     on_device_.blocked.read(device_));
+                               }});
+    }
+
+    size_t mismatches(const std::vector<Hit>& hits, const std::vector<uint32_t>& blocked) const {
+        return set_.any_hit ? count_mismatches(blocked, expected_blocked_)
+                            : count_mismatches(hits, expected_hits_);
+    }
+
+    const RaySet& set_;
+    const gpu::Device& device_;
+    DeviceRays on_device_;
+    std::vector<Hit> hits_, expected_hits_;
+    std::vector<uint32_t> blocked_, expected_blocked_;
+    std::vector<Contender> contenders_;
+};
+
+} // namespace
+
+std::vector<Timing> race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree,
+                         OndeTracer& onde, OndeTracer& watertight, const RaceOptions& options) {
+    return Race(set, device, embree, onde, watertight).run(options);
+}
+
+} // namespace onde::bench

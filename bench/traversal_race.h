@@ -1,0 +1,30 @@
+// All contenders answer one ray set: their answers are compared first, then they take turns.
+#pragma once
+
+#include "figures.h"
+#include "traversal_onde.h"
+
+namespace onde::bench {
+
+enum class Side { embree, onde, onde_watertight };
+
+/// One contender on one ray set.
+struct Timing {
+    std::string contender;
+    Side side = Side::embree;
+    size_t mismatches = 0; ///< answers unlike the reference's
+    Samples seconds{};
+};
+
+struct RaceOptions {
+    uint32_t repetitions = 5;
+    bool cpu_time = false; ///< processor time instead of wall-clock time
+};
+
+/// Times every mode of Embree's, and both of Onde's trees: closest hits one by one and in packets,
+/// or any hits one by one. The reference is Embree's single ray: a hit differs when t does by more
+/// than 1e-4 of it. `set` is not empty.
+std::vector<Timing> race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree,
+                         OndeTracer& onde, OndeTracer& watertight, const RaceOptions& options);
+
+} // namespace onde::bench

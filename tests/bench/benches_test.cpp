@@ -1,0 +1,97 @@
+// What the benches promise beside speed: figures under the keys that scripts read, and one sentence
+// with exit code 2 for wrong input.
+#include "app/onde_process.h"
+
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+using namespace onde::test;
+using Json = nlohmann::json;
+
+namespace {
+
+/// The exit code of a bench, whose outputs become the files "out" and "err" of the folder.
+int bench(const Folder& folder, const std::string& arguments) {
+    const std::string command = "cd '" + folder.path().string() +
+                                "' && '" ONDE_BENCH_FOLDER "'/onde_bench_" + arguments +
+                                " >out 2>err </dev/null";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// The list that a bench writes.
+Json figures_of(const std::string& arguments) {
+    const Folder folder;
+    REQUIRE(bench(folder, arguments + " --json figures.json") == 0);
+    INFO(content(folder / "err"));
+    return Json::parse(content(folder / "figures.json"));
+}
+
+std::set<std::string> values_of(const Json& list, const char* key) {
+    std::set<std::string> values;
+    for (const Json& object : list) values.insert(object.at(key).get<std::string>());
+    return values;
+}
+
+} // namespace
+
+TEST_CASE("the traversal bench compares five ray sets with the same answers as Embree") {
+    const Json list = figures_of("traversal '" + CORNELL + "' --side 64 --repetitions 1");
+    CHECK(values_of(list, "scene") == std::set<std::string>{"scenes/cornell"});
+    CHECK(values_of(list, "set") ==
+          std::set<std::string>{"primary", "shadow", "ao", "bounce", "bounce3"});
+    for (const Json& set : list) {
+        INFO(set.dump());
+        const double onde = set.at("onde_mrays"), embree = set.at("embree_best_mrays");
+        CHECK(set.at("ratio").get<double>() == Approx(onde / embree));
+        const Json& modes = set.at("modes");
+        CHECK(modes.at(set.at("onde_best_variant").get<std::string>()) == onde);
+        CHECK(modes.at(set.at("embree_best_mode").get<std::string>()) == embree);
+        for (const auto& [mode, mrays] : modes.items())
+            if (mode.starts_with("embree")) CHECK(mrays.get<double>() <= embree);
+        CHECK(set.at("rays").get<size_t>() >= 64 * 64 * 4 / 2);
+        CHECK(set.at("mismatches").get<size_t>() <= 2); // rays along edges
+    }
+}
+
+TEST_CASE("the build bench measures every builder's rate, cost and memory") {
+    const Json list = figures_of("build '" + CORNELL + "' --repetitions 1");
+    CHECK(values_of(list, "builder") == std::set<std::string>{"onde sah", "onde median",
+                                                              "onde median-spatial", "embree low",
+                                                              "embree medium", "embree high"});
+    for (const Json& built : list) {
+        INFO(built.dump());
+        CHECK(built.at("scene") == "scenes/cornell");
+        CHECK(built.at("mtriangles_per_second").get<double>() > 0);
+        CHECK(built.at("bytes_per_triangle").get<double>() > 0);
+        const bool ours = built.at("builder").get<std::string>().starts_with("onde");
+        CHECK(built.at("sah_cost").is_number() == ours);
+        const double bytes =
+            built.at("bytes_per_triangle").get<double>() * built.at("triangles").get<double>();
+        CHECK(built.at("peak_bytes").get<double>() >= bytes * 0.999);
+    }
+}
+
+TEST_CASE("benches refuse wrong input with one sentence and exit code 2") {
+    const Folder folder;
+    folder.write("point.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                              "property float y\nproperty float z\nend_header\n0 0 0\n");
+    folder.write("ball.toml", "[[shape]]\ntype = \"sphere\"\n");
+    const std::pair<std::string, std::string> cases[] = {
+        {"gone.ply", "gone.ply: no such file"},
+        {"point.ply", "no vertices or no faces"},
+        {"ball.toml", "ball.toml: has no triangles"},
+        {"'" + CORNELL + "' --json gone/figures.json", "gone"},
+        {"'" + CORNELL + "' --json .", "folder"},
+        {"--repetitions none", "--repetitions"}};
+    for (const char* name : {"traversal ", "build "})
+        for (const auto& [arguments, culprit] : cases) {
+            INFO(name << arguments);
+            CHECK(bench(folder, name + arguments) == 2);
+            const std::string error = content(folder / "err");
+            const size_t last = error.rfind('\n', error.size() - 2) + 1; // after lines of progress
+            CHECK_THAT(error.substr(last), Catch::Contains(culprit));
+            CHECK(content(folder / "out").empty());
+        }
+}

@@ -3,6 +3,8 @@
 #include "app/prewarm.h"
 #include "gpu/program.h"
 
+#include <CLI/CLI.hpp>
+
 #include <fmt/format.h>
 
 #include <memory>
@@ -38,7 +40,7 @@ void add_prewarm(CLI::App& cache) {
     const auto options = std::make_shared<Options>();
     CLI::App* command = cache.add_subcommand(
         "prewarm", "Compile the kernels that these scenes need, or common ones");
-    command->add_option("scenes", options->scenes, "Scenes: .gltf, .glb, .obj or .toml")
+    command->add_option("scenes", options->scenes, "Scenes: .gltf, .glb, .obj, .ply or .toml")
         ->type_name("SCENE");
     command->add_option("--device", options->device, "Device by number or part of its name");
     command->callback([options] { prewarm(options->scenes, options->device); });

@@ -1,7 +1,9 @@
 // `onde cache`: the compiled kernels kept on disk.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace onde::app {
 

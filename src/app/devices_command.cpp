@@ -3,6 +3,8 @@
 #include "app/json.h"
 #include "gpu/device.h"
 
+#include <CLI/CLI.hpp>
+
 #include <fmt/format.h>
 
 #include <memory>

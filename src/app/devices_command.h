@@ -1,7 +1,9 @@
 // `onde devices`: what OpenCL offers on this machine.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace onde::app {
 

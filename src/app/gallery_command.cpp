@@ -14,6 +14,8 @@
 #include "scene/mapping.h"
 #include "upload/device_scene.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <fstream>
 #include <memory>

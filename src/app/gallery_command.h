@@ -1,7 +1,9 @@
 // `onde gallery`: the chapter's scenes as a page that a teacher can show.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace onde::app {
 

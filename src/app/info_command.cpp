@@ -6,6 +6,8 @@
 #include "render/memory_plan.h"
 #include "scene/load.h"
 
+#include <CLI/CLI.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -220,7 +222,8 @@ void add_info_command(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     CLI::App* command =
         app.add_subcommand("info", "Say what a scene file contains and the memory it takes");
-    command->add_option("scene", options->scene, "A .gltf, .glb, .obj or .toml file")->required();
+    command->add_option("scene", options->scene, "A .gltf, .glb, .obj, .ply or .toml file")
+        ->required();
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options] {
         const Scene scene = load_scene(options->scene);

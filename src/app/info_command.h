@@ -4,11 +4,13 @@
 
 #include "scene/scene.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdint>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace onde::app {
 

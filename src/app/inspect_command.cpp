@@ -8,6 +8,8 @@
 #include "core/log.h"
 #include "upload/device_scene.h"
 
+#include <CLI/CLI.hpp>
+
 #include <charconv>
 #include <fstream>
 #include <memory>

@@ -1,7 +1,9 @@
 // `onde inspect SCENE --pixel X,Y`: what happened to one sample of one pixel.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace onde::app {
 

@@ -12,6 +12,8 @@
 #include "core/error.h"
 #include "core/log.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <new>
 

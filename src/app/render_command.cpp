@@ -13,6 +13,8 @@
 #include "scene/mapping.h"
 #include "upload/device_scene.h"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
 
 namespace onde::app {

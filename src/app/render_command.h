@@ -1,7 +1,9 @@
 // `onde render SCENE`: from a scene file to a picture file.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace onde::app {
 

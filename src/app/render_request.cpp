@@ -6,6 +6,8 @@
 #include "render/frame.h"
 #include "scene/load.h"
 
+#include <CLI/CLI.hpp>
+
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -80,7 +82,7 @@ uint32_t find_camera(const std::string& name, const Scene& scene) {
 }
 
 void declare_view(CLI::App& command, RenderRequest& r) {
-    command.add_option("scene", r.scene, "Scene: .gltf, .glb, .obj or .toml")
+    command.add_option("scene", r.scene, "Scene: .gltf, .glb, .obj, .ply or .toml")
         ->required()
         ->type_name("SCENE");
     command.add_option("--size", r.size, "Pixels, for example 640x480 (the scene's, else 800x600)")

@@ -5,12 +5,14 @@
 #include "image/image_io.h"
 #include "render/options.h"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace onde::app {
 

@@ -1,5 +1,7 @@
 #include "app/usage_error.h"
 
+#include <CLI/CLI.hpp>
+
 #include <fmt/format.h>
 
 namespace onde::app {

@@ -7,6 +7,8 @@
 #include "gpu/settings.h"
 #include "scene/load.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cmath>
 #include <fstream>
 #include <memory>
@@ -85,7 +87,7 @@ void add_volumes_command(CLI::App& app) {
     const auto request = std::make_shared<VolumesRequest>(); // CLI11 copies its callbacks
     CLI::App* command = app.add_subcommand(
         "volumes", "Compare bounding volumes and hierarchies of boxes around a scene's triangles");
-    command->add_option("scene", request->scene, "A .gltf, .glb, .obj or .toml file")
+    command->add_option("scene", request->scene, "A .gltf, .glb, .obj, .ply or .toml file")
         ->required()
         ->type_name("SCENE");
     command->add_option("--rays", request->rays, "Random lines (262144)")->type_name("N");

@@ -1,7 +1,9 @@
 // `onde volumes SCENE`: the bounding-volume laboratory (C12, C13).
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace onde::app {
 

@@ -16,7 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 TIMEOUT_SECONDS = 600
-SMALL_PICTURE = {"--spp": "1", "--size": "64x64"}
+SMALL = {"render": {"--spp": "1", "--size": "64x64"}, "gallery": {"--spp": "1"}}
 SHELL_SYNTAX = set("|<>&;$`")
 
 
@@ -28,17 +28,17 @@ def readme_commands(text):
                 yield line.strip()
 
 
-def shrink(words):
-    """The words of a render command with its size and samples replaced by tiny ones."""
+def shrink(words, small):
+    """The words of a command that makes pictures, with its size and samples replaced by tiny ones."""
     kept = []
     words = iter(words)
     for word in words:
         name, _, value = word.partition("=")
-        if name not in SMALL_PICTURE:
+        if name not in small:
             kept.append(word)
         elif not value:
             next(words, None)
-    return kept + [word for option in SMALL_PICTURE.items() for word in option]
+    return kept + [word for option in small.items() for word in option]
 
 
 def check_command(command, folder):
@@ -54,8 +54,8 @@ def check_command(command, folder):
         return None if words[2] in names.stdout.split() else f"no benchmark {words[2]}"
     if verb == "format":
         words.append("--check")
-    if verb == "render":
-        words = shrink(words)
+    if verb in SMALL:
+        words = shrink(words, SMALL[verb])
     done = subprocess.run(words, cwd=folder, capture_output=True, text=True,
                           stdin=subprocess.DEVNULL, timeout=TIMEOUT_SECONDS)
     if done.returncode != 0:

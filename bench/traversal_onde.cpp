@@ -12,7 +12,9 @@ gpu::ProgramRequest request(const Bvh& tree) {
              "ONDE_SPHERES=0", fmt::format("ONDE_WATERTIGHT={:d}", tree.watertight)},
             {{"closest", LOCAL_SIZE, MANY},
              {"closest_packet", 4, MANY},
-             {"occluded", LOCAL_SIZE, MANY}}};
+             {"occluded", LOCAL_SIZE, MANY},
+             {"closest_stream", 4, MANY},
+             {"occluded_stream", 4, MANY}}};
 }
 
 } // namespace
@@ -42,6 +44,12 @@ void OndeTracer::closest_packet(const DeviceRays& set) {
 }
 void OndeTracer::occluded(const DeviceRays& set) {
     launch("occluded", set.rays.size(), set, set.blocked);
+}
+void OndeTracer::closest_stream(const DeviceRays& set) {
+    launch("closest_stream", (set.rays.size() + 15) / 16, set, set.hits);
+}
+void OndeTracer::occluded_stream(const DeviceRays& set) {
+    launch("occluded_stream", (set.rays.size() + 15) / 16, set, set.blocked);
 }
 
 } // namespace onde::bench

@@ -25,6 +25,8 @@ class OndeTracer {
     void closest(const DeviceRays& set);
     void closest_packet(const DeviceRays& set);
     void occluded(const DeviceRays& set);
+    void closest_stream(const DeviceRays& set);
+    void occluded_stream(const DeviceRays& set);
 
   private:
     template <class Result>

@@ -48,6 +48,8 @@ class Race {
         const auto single = set.any_hit ? &OndeTracer::occluded : &OndeTracer::closest;
         add("onde single", Side::onde, onde, single);
         if (!set.any_hit) add("onde packet", Side::onde, onde, &OndeTracer::closest_packet);
+        add("onde stream", Side::onde, onde,
+            set.any_hit ? &OndeTracer::occluded_stream : &OndeTracer::closest_stream);
         add("onde watertight single", Side::onde_watertight, watertight, single);
     }
 

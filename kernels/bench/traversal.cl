@@ -49,3 +49,51 @@ __kernel void closest_packet(uint count, BVH_PARAMETERS, __global const float* r
     for (uint lane = 0; lane < 16 && first + lane < count; lane++)
         for (uint row = 0; row < 5; row++) hits[5 * (first + lane) + row] = hit_rows[row][lane];
 }
+
+// Rays `first` to `first` + 15; after the last one, it again.
+INLINE void load_stream(__global const float* rays, uint first, uint count, StreamRays* stream,
+                        float* t_min, float* t_max) {
+    for (uint lane = 0; lane < STREAM_WIDTH; lane++) {
+        __global const float* ray = rays + 8 * min(first + lane, count - 1);
+        for (uint axis = 0; axis < 3; axis++) {
+            stream->origin[axis][lane] = ray[axis];
+            stream->direction[axis][lane] = ray[4 + axis];
+        }
+        t_min[lane] = ray[3];
+        t_max[lane] = ray[7];
+    }
+}
+
+// Work item i takes rays 16 i to 16 i + 15, where the set has as many.
+__kernel void occluded_stream(uint count, BVH_PARAMETERS, __global const float* rays,
+                              __global uint* blocked) {
+    const uint first = 16 * get_global_id(0);
+    if (first >= count) return;
+    const BvhView bvh = BVH_VIEW;
+    StreamRays stream;
+    float t_min[16], t_max[16];
+    load_stream(rays, first, count, &stream, t_min, t_max);
+    const uint live = min(count - first, 16u);
+    const uint hit =
+        bvh_occluded_stream(BVH_TO_SCALARS(bvh), &stream, t_min, t_max, (1u << live) - 1);
+    for (uint lane = 0; lane < live; lane++) blocked[first + lane] = hit >> lane & 1;
+}
+
+__kernel void closest_stream(uint count, BVH_PARAMETERS, __global const float* rays,
+                             __global float* hits) {
+    const uint first = 16 * get_global_id(0);
+    if (first >= count) return;
+    const BvhView bvh = BVH_VIEW;
+    StreamRays stream;
+    StreamHits found;
+    float t_min[16];
+    load_stream(rays, first, count, &stream, t_min, found.t);
+    for (uint lane = 0; lane < STREAM_WIDTH; lane++) {
+        found.u[lane] = found.v[lane] = 0.0f;
+        found.primitive[lane] = found.instance[lane] = BVH_NONE;
+    }
+    const uint live = min(count - first, 16u);
+    bvh_closest_stream(BVH_TO_SCALARS(bvh), &stream, t_min, &found, (1u << live) - 1);
+    for (uint lane = 0; lane < live; lane++)
+        store_hit(hits, first + lane, stream_hit(&found, lane));
+}

@@ -142,19 +142,32 @@ INLINE ulong push_farther(ulong* stack, uint* size, BvhView bvh, __global const 
 #define BVH_FROM_SCALARS                                                                           \
     { nodes, blocks, spheres, instances, root }
 
-OUTLINED Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direction, float t_max) {
-    const BvhView bvh = BVH_FROM_SCALARS;
-    Hit hit = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
-    if (!is_finite_ray(origin, direction)) return hit;
-    ulong stack[ONDE_STACK_SIZE];
+// A ray in the space of the tree that it walks.
+typedef struct {
+    float3 origin, direction;
+    SlabRay slab;
+    float entry;   // no box of the tree is entered earlier
+    uint instance; // that the tree is of; BVH_NONE: the world's
+} PlacedRay;
+
+INLINE PlacedRay place_ray(float3 origin, float3 direction, float entry, uint instance) {
+    const PlacedRay ray = {origin, direction, make_slab_ray(origin, direction), entry, instance};
+    return ray;
+}
+INLINE PlacedRay place_in_instance(BvhView bvh, uint instance, float3 origin, float3 direction,
+                                   float entry) {
+    __global const float* rows = bvh.instances[instance].world_to_object;
+    return place_ray(transform_point(rows, origin), transform_vector(rows, direction), entry,
+                     instance);
+}
+
+// `hit`, or the closest hit below the child `word`, whose box `ray` enters at `distance`. The stack
+// is what is free of it. `start` is the ray in the space in which the walk begins.
+INLINE Hit closest_below(BvhView bvh, uint word, float distance, PlacedRay start, float t_min,
+                         ulong* stack, Hit hit) {
     float near[BVH_WIDTH] __attribute__((aligned(64)));
     uint size = 0;
-    SlabRay slab = make_slab_ray(origin, direction);
-    float3 local_origin = origin, local_direction = direction; // in the space of the current tree
-    float entry = t_min; // no box of the current tree is entered earlier
-    uint instance = BVH_NONE;
-    uint word = bvh.root;
-    float distance = t_min; // to the box that holds `word`
+    PlacedRay ray = start;
 #if ONDE_COUNT_TESTS
     uint boxes = 0, primitives = 0;
 #endif
@@ -163,7 +176,7 @@ OUTLINED Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direct
             __global const uchar* node = bvh_node(bvh, word);
             __global const uint* children = bvh_children(node);
             COUNT_TESTS(boxes, count_children(children));
-            const NodeHits hits = meet_node(node, slab, entry, hit.t);
+            const NodeHits hits = meet_node(node, ray.slab, ray.entry, hit.t);
             if (hits.bits) {
                 *(float16*)near = hits.near;
                 const uint first = lowest_bit(hits.bits);
@@ -179,40 +192,32 @@ OUTLINED Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direct
             }
         } else if ((word & BVH_KIND_MASK) == BVH_LEAF_TRIANGLES) {
             COUNT_TESTS(primitives, count_triangles(bvh_block(bvh, word)));
-            hit = closest_in_block(bvh_block(bvh, word), local_origin, t_min, local_direction,
-                                   distance, instance, hit);
+            hit = closest_in_block(bvh_block(bvh, word), ray.origin, t_min, ray.direction, distance,
+                                   ray.instance, hit);
         }
 #if ONDE_SPHERES
         else if ((word & BVH_KIND_MASK) == BVH_LEAF_SPHERE) {
             COUNT_TESTS(primitives, 1);
-            hit = closest_on_sphere(bvh.spheres[word & BVH_INDEX_MASK], local_origin, t_min,
-                                    local_direction, distance, instance, hit);
+            hit = closest_on_sphere(bvh.spheres[word & BVH_INDEX_MASK], ray.origin, t_min,
+                                    ray.direction, distance, ray.instance, hit);
         }
 #endif
 #if ONDE_SHAPES
         else if (word != BVH_NONE && (word & BVH_KIND_MASK) == BVH_LEAF_SHAPE) {
             COUNT_TESTS(primitives, 1);
-            hit = closest_on_shape(bvh.spheres[word & BVH_INDEX_MASK], local_origin, t_min,
-                                   local_direction, distance, instance, hit);
+            hit = closest_on_shape(bvh.spheres[word & BVH_INDEX_MASK], ray.origin, t_min,
+                                   ray.direction, distance, ray.instance, hit);
         }
 #endif
 #if ONDE_INSTANCES
         else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE) {
-            instance = word & BVH_INDEX_MASK;
-            __global const BvhInstance* placed = bvh.instances + instance;
-            local_origin = transform_point(placed->world_to_object, origin);
-            local_direction = transform_vector(placed->world_to_object, direction);
-            slab = make_slab_ray(local_origin, local_direction);
-            entry = distance;
+            const uint instance = word & BVH_INDEX_MASK;
+            ray = place_in_instance(bvh, instance, start.origin, start.direction, distance);
             stack[size++] = STACK_LEAVE_INSTANCE;
-            word = placed->root;
+            word = bvh.instances[instance].root;
             continue;
         } else {
-            instance = BVH_NONE;
-            local_origin = origin;
-            local_direction = direction;
-            slab = make_slab_ray(origin, direction);
-            entry = t_min;
+            ray = start;
         }
 #endif
         do {
@@ -230,6 +235,15 @@ OUTLINED Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direct
         } while (distance > hit.t);
         word = (uint)stack[size];
     }
+}
+
+OUTLINED Hit walk_closest(BVH_SCALARS, float3 origin, float t_min, float3 direction, float t_max) {
+    const BvhView bvh = BVH_FROM_SCALARS;
+    const Hit miss = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
+    if (!is_finite_ray(origin, direction)) return miss;
+    ulong stack[ONDE_STACK_SIZE];
+    return closest_below(bvh, bvh.root, t_min, place_ray(origin, direction, t_min, BVH_NONE), t_min,
+                         stack, miss);
 }
 
 OUTLINED uint walk_occluded(BVH_SCALARS, float3 origin, float t_min, float3 direction,

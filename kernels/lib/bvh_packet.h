@@ -4,7 +4,7 @@
 #ifndef ONDE_LIB_BVH_PACKET_H
 #define ONDE_LIB_BVH_PACKET_H
 
-#include "lib/bvh.h"
+#include "lib/bvh_stream.h"
 
 #if ONDE_INSTANCES
 
@@ -45,10 +45,6 @@ typedef struct {
     // How much a frustum is wider than its rays, relative to their origins and directions; more
     // than what rounding and SLAB_SLACK do to the distances of each ray.
     #define FRUSTUM_SLACK 2e-6f
-
-INLINE float16 safe_inverse16(float16 direction) {
-    return 1.0f / (fabs(direction) < 1e-18f ? copysign((float16)(1e-18f), direction) : direction);
-}
 
 INLINE Packet load_packet(float rays[8][16]) {
     Packet packet;

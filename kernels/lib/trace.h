@@ -1,13 +1,24 @@
-// Rays of several lanes against the scene: one traversal per live lane, or one packet of 16.
+// Rays of several lanes against the scene: one walk per live lane, one of all lanes in company, or
+// one packet of 16.
 #ifndef ONDE_LIB_TRACE_H
 #define ONDE_LIB_TRACE_H
 
 #include "lib/bvh_packet.h"
+#include "lib/bvh_stream.h"
 #include "lib/surface.h"
 
 // Whether primary rays go through the tree as packets of 16; needs ONDE_WIDTH 16.
 #ifndef ONDE_PRIMARY_PACKETS
     #define ONDE_PRIMARY_PACKETS 0
+#endif
+
+// Whether rays of several lanes may walk in company, and the bounces from the camera that do;
+// shadow rays then always do.
+#ifndef ONDE_STREAMS
+    #define ONDE_STREAMS (ONDE_CPU && ONDE_WIDTH > 1)
+#endif
+#ifndef ONDE_STREAM_BOUNCES
+    #define ONDE_STREAM_BOUNCES 2
 #endif
 
 // Rays, lane by lane, as the scalar traversal wants them.
@@ -84,15 +95,61 @@ INLINE Hits trace_packet(BvhView bvh, real3 origin, real3 direction) {
 }
 #endif
 
-// The closest hits of a bounce: full groups of primary rays as a packet, the rest ray by ray.
+#if ONDE_STREAMS
+INLINE void load_stream(StreamRays* rays, real3 origin, real3 direction) {
+    spill_real(rays->origin[0], origin.x);
+    spill_real(rays->origin[1], origin.y);
+    spill_real(rays->origin[2], origin.z);
+    spill_real(rays->direction[0], direction.x);
+    spill_real(rays->direction[1], direction.y);
+    spill_real(rays->direction[2], direction.z);
+}
+
+// As trace_closest, in company.
+INLINE Hits trace_stream(BvhView bvh, real3 origin, real3 direction, uint bits) {
+    StreamRays rays;
+    StreamHits found;
+    const float t_min[STREAM_WIDTH] = {0.0f};
+    load_stream(&rays, origin, direction);
+    spill_real(found.t, (real)(RAY_INFINITY));
+    spill_real(found.u, (real)(0.0f));
+    spill_real(found.v, (real)(0.0f));
+    spill_real((float*)found.primitive, as_real((natural)(BVH_NONE)));
+    spill_real((float*)found.instance, as_real((natural)(BVH_NONE)));
+    bvh_closest_stream(BVH_TO_SCALARS(bvh), &rays, t_min, &found, bits);
+    Hits hits;
+    hits.t = unspill_real(found.t);
+    hits.u = unspill_real(found.u);
+    hits.v = unspill_real(found.v);
+    hits.primitive = as_natural(unspill_real((const float*)found.primitive));
+    hits.instance = as_natural(unspill_real((const float*)found.instance));
+    return hits;
+}
+#endif
+
+// The closest hits of a bounce: full groups of primary rays as a packet, those that just left what
+// the camera sees in company, the rest, which has little in common, ray by ray.
 INLINE Hits trace_bounce(BvhView bvh, real3 origin, real3 direction, uint bounce, uint bits) {
 #if ONDE_PRIMARY_PACKETS
     if (bounce == 0 && bits == 0xffffu) return trace_packet(bvh, origin, direction);
+#endif
+#if ONDE_STREAMS
+    if (bounce < ONDE_STREAM_BOUNCES) return trace_stream(bvh, origin, direction, bits);
 #endif
     return trace_closest(bvh, origin, direction, bits);
 }
 
 // One bit per lane of `bits` whose way to `distance` is blocked.
+#if ONDE_STREAMS
+INLINE uint trace_occluded(BvhView bvh, real3 origin, real3 direction, real distance, uint bits) {
+    StreamRays rays;
+    const float t_min[STREAM_WIDTH] = {0.0f};
+    float far[STREAM_WIDTH];
+    load_stream(&rays, origin, direction);
+    spill_real(far, distance);
+    return bvh_occluded_stream(BVH_TO_SCALARS(bvh), &rays, t_min, far, bits);
+}
+#else
 INLINE uint trace_occluded(BvhView bvh, real3 origin, real3 direction, real distance, uint bits) {
     SpilledRays rays;
     spill_rays(&rays, origin, direction);
@@ -106,5 +163,6 @@ INLINE uint trace_occluded(BvhView bvh, real3 origin, real3 direction, real dist
     }
     return blocked;
 }
+#endif
 
 #endif

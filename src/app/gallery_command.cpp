@@ -121,6 +121,13 @@ std::string facts_text(const RenderOptions& options, const RenderOutcome& outcom
                        outcome.seconds);
 }
 
+/// Our own scenes from the repository's root, where ./run is; others as they were given.
+fs::path shown_path(const fs::path& file) {
+    const fs::path chapter = ONDE_CHAPTER_SCENES;
+    if (file.parent_path() != chapter) return file;
+    return file.lexically_relative(chapter.parent_path().parent_path());
+}
+
 /// What all works of a gallery are made with.
 struct Studio {
     const gpu::Device& device;
@@ -207,7 +214,7 @@ bool run(const GalleryRequest& request) {
     size_t done = 0;
     for (; done < works.size(); ++done) {
         Work& work = works[done];
-        work.exhibit.command = fmt::format("./run render {}", work.file.string());
+        work.exhibit.command = fmt::format("./run render {}", shown_path(work.file).string());
         spdlog::info("{} of {}: {}", done + 1, works.size(), work.exhibit.name);
         if (!paint(work, studio, request.folder)) break;
     }

@@ -25,6 +25,7 @@ struct Expectation {
 struct Lesson {
     std::string title;
     std::string section;               ///< of the chapter, as "2.5"
+    uint32_t order = 0;                ///< among the lessons of a section
     std::vector<std::string> formulas; ///< a line each: x_1 and x^2 stand for indices and powers
     std::string says;                  ///< what the picture shows, in a few sentences
     std::optional<glm::uvec2> inspect; ///< a pixel whose ray tree or path is worth reading

@@ -55,10 +55,11 @@ Expectation read_expectation(const TableReader& table) {
 } // namespace
 
 Lesson read_lesson(const TableReader& table) {
-    table.allow({"title", "section", "formulas", "says", "inspect", "expect"});
+    table.allow({"title", "section", "order", "formulas", "says", "inspect", "expect"});
     Lesson lesson;
     lesson.title = table.require("title", table.text("title"));
     lesson.section = table.text("section").value_or("");
+    lesson.order = table.integer("order", 0, 1000).value_or(0);
     if (table.has("formulas")) lesson.formulas = table.texts("formulas");
     lesson.says = table.text("says").value_or("");
     lesson.inspect = pixel(table, "inspect");

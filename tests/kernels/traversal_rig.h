@@ -75,8 +75,14 @@ class Tracer {
     std::vector<Hit> closest_packet(std::span<const Ray> rays) {
         return trace<Hit>("closest_packet", rays, (rays.size() + 15) / 16);
     }
+    std::vector<Hit> closest_stream(std::span<const Ray> rays) {
+        return trace<Hit>("closest_stream", rays, (rays.size() + 15) / 16);
+    }
     std::vector<uint32_t> occluded(std::span<const Ray> rays) {
         return trace<uint32_t>("occluded", rays, rays.size());
+    }
+    std::vector<uint32_t> occluded_stream(std::span<const Ray> rays) {
+        return trace<uint32_t>("occluded_stream", rays, (rays.size() + 15) / 16);
     }
 
   private:
@@ -86,7 +92,11 @@ class Tracer {
         defines.push_back(fmt::format("ONDE_SPHERES={:d}", !bvh.spheres.empty()));
         return {"bench/traversal.cl",
                 std::move(defines),
-                {{"closest", 64}, {"closest_packet", 1}, {"occluded", 64}}};
+                {{"closest", 64},
+                 {"closest_packet", 1},
+                 {"closest_stream", 1},
+                 {"occluded", 64},
+                 {"occluded_stream", 1}}};
     }
 
     template <class Result>

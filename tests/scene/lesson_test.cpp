@@ -22,6 +22,7 @@ TEST_CASE("a lesson has words, formulas and numbers about pixels and areas") {
 [lesson]
 title = "Shadows"
 section = "2.4"
+order = 3
 formulas = ["a^2", "b_1"]
 says = "Dark."
 inspect = [3, 4]
@@ -46,6 +47,7 @@ because = "alike"
     CHECK(lesson.title == "Shadows");
     CHECK(lesson.section == "2.4");
     CHECK(lesson.formulas == std::vector<std::string>{"a^2", "b_1"});
+    CHECK(lesson.order == 3);
     CHECK(lesson.says == "Dark.");
     CHECK(lesson.inspect == glm::uvec2(3, 4));
     REQUIRE(lesson.expectations.size() == 3);

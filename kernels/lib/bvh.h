@@ -53,7 +53,10 @@ INLINE uint count_triangles(__global const uchar* block) {
 }
 
 INLINE void bvh_prefetch(BvhView bvh, uint word) {
-    prefetch_block(word & BVH_LEAF ? bvh_block(bvh, word) : bvh_node(bvh, word));
+    if (word & BVH_LEAF)
+        prefetch_block(bvh_block(bvh, word));
+    else
+        prefetch_node(bvh_node(bvh, word));
 }
 
 INLINE uint is_finite_ray(float3 origin, float3 direction) {

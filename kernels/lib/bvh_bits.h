@@ -37,8 +37,8 @@ INLINE float highest_of16(float16 a) {
     return -lowest_of16(-a);
 }
 
-// Asks for a leaf block, or the first lines of a node, before it is needed. (In a loop, PoCL would
-// leave the loop in.)
+// Asks for the five lines of a leaf block before it is needed, or the seven of a node. (In a loop,
+// PoCL would leave the loop in.)
 INLINE void prefetch_block(__global const uchar* p) {
 #if ONDE_AVX2 || ONDE_AVX512
     const void* line = (const void*)(size_t)p;
@@ -47,6 +47,14 @@ INLINE void prefetch_block(__global const uchar* p) {
     __builtin_prefetch(line + 128);
     __builtin_prefetch(line + 192);
     __builtin_prefetch(line + 256);
+#endif
+}
+INLINE void prefetch_node(__global const uchar* p) {
+    prefetch_block(p);
+#if ONDE_AVX2 || ONDE_AVX512
+    const void* line = (const void*)(size_t)(p + 320);
+    __builtin_prefetch(line);
+    __builtin_prefetch(line + 64);
 #endif
 }
 

@@ -244,12 +244,14 @@ INLINE PacketHits closest_on_sphere16(BvhSphere sphere, Packet rays, BoxHits box
 }
 
 // Pushes the frustum's children as distance << 32 | node * 16 + slot, the nearest last.
-INLINE uint push_slots(ulong* stack, uint size, uint node, NodeHits hits) {
+INLINE uint push_slots(ulong* stack, uint size, BvhView bvh, uint node, NodeHits hits) {
+    __global const uint* children = bvh_children(bvh_node(bvh, node));
     float near[BVH_WIDTH] __attribute__((aligned(64)));
     *(float16*)near = hits.near;
     const uint first = size;
     for (uint bits = hits.bits; bits; bits &= bits - 1) {
         const uint slot = lowest_bit(bits);
+        bvh_prefetch(bvh, children[slot]);
         const ulong entry = stack_entry(near[slot], node * BVH_WIDTH + slot);
         uint i = size++;
         for (; i > first && stack[i - 1] < entry; i--) stack[i] = stack[i - 1];
@@ -277,8 +279,8 @@ INLINE PacketHits walk_octant(BvhView bvh, Packet rays, int16 lanes, uint octant
         return closest_in_leaf16(bvh, bvh.root, rays, everything, hits);
     }
     ulong stack[ONDE_STACK_SIZE];
-    uint size =
-        push_slots(stack, 0, bvh.root, frustum_meets_node(bvh_node(bvh, bvh.root), frustum, t_max));
+    uint size = push_slots(stack, 0, bvh, bvh.root,
+                           frustum_meets_node(bvh_node(bvh, bvh.root), frustum, t_max));
     while (size > 0) {
         const ulong entry = stack[--size];
         if (entry_distance(entry) > t_max) continue;
@@ -292,7 +294,7 @@ INLINE PacketHits walk_octant(BvhView bvh, Packet rays, int16 lanes, uint octant
             hits = closest_in_leaf16(bvh, word, rays, box, hits);
             t_max = highest_in(hits.t, lanes);
         } else {
-            size = push_slots(stack, size, word,
+            size = push_slots(stack, size, bvh, word,
                               frustum_meets_node(bvh_node(bvh, word), frustum, t_max));
         }
     }

@@ -130,7 +130,7 @@ INLINE Hits trace_stream(BvhView bvh, real3 origin, real3 direction, uint bits) 
 // The closest hits of a bounce: full groups of primary rays as a packet, those that just left what
 // the camera sees in company, the rest, which has little in common, ray by ray.
 INLINE Hits trace_bounce(BvhView bvh, real3 origin, real3 direction, uint bounce, uint bits) {
-#if ONDE_PRIMARY_PACKETS
+#if ONDE_PRIMARY_PACKETS && !(ONDE_INSTANCES && ONDE_STREAMS)
     if (bounce == 0 && bits == 0xffffu) return trace_packet(bvh, origin, direction);
 #endif
 #if ONDE_STREAMS

@@ -35,6 +35,7 @@ const std::map<std::string, gpu::Launch> LAUNCHES{{"staged", gpu::Launch::staged
 const std::map<std::string, gpu::QueueKind> QUEUES{{"chunk-local", gpu::QueueKind::chunk_local},
                                                    {"global", gpu::QueueKind::global}};
 const std::map<std::string, BvhBuilder> BUILDERS{{"sah", BvhBuilder::sah},
+                                                 {"high", BvhBuilder::high},
                                                  {"median", BvhBuilder::median},
                                                  {"median-spatial", BvhBuilder::median_spatial},
                                                  {"none", BvhBuilder::none}};

@@ -87,8 +87,7 @@ class SpatialBinaryBuilder {
     /// Where the children of the best object split hardly overlap, a spatial split gains nothing
     /// (Stich et al., section 4.5).
     bool may_pay(const Split& split, const Extent& extent) const {
-        const Box overlap =
-            split.axis < 0 ? extent.box : split.sides[0].common(split.sides[1]);
+        const Box overlap = split.axis < 0 ? extent.box : split.sides[0].common(split.sides[1]);
         return overlap.has_points() && half_area(overlap) > least_overlap_;
     }
 

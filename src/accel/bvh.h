@@ -55,12 +55,12 @@ enum class BvhBuilder {
 
 struct BvhOptions {
     BvhBuilder builder = BvhBuilder::sah;
-    bool watertight = false;     ///< leaf blocks hold corners, not edges; see TriangleBlock
-    uint32_t bins = 32;          ///< of the surface-area heuristic, per axis
-    float traversal_cost = 1.0f; ///< of entering a wide node
-    float leaf_cost = 1.0f;      ///< of testing one leaf block or sphere
+    bool watertight = false;       ///< leaf blocks hold corners, not edges; see TriangleBlock
+    uint32_t bins = 32;            ///< of the surface-area heuristic, per axis
+    float traversal_cost = 1.0f;   ///< of entering a wide node
+    float leaf_cost = 1.0f;        ///< of testing one leaf block or sphere
     float extra_references = 0.3f; ///< at most, as part of the primitives, that `high` may add
-    bool parallel = true;        ///< the result is the same either way
+    bool parallel = true;          ///< the result is the same either way
 };
 
 struct BvhStatistics {
@@ -93,14 +93,14 @@ struct Bvh {
 /// leaves; each instanced geometry has a tree of its own. Placed geometries may be empty. The
 /// bounds in the nodes have the margin that the kernels' slab test counts on to be conservative.
 /// The builders after `high` are laboratory ones. All give the same hits; with spatial splits a
-/// triangle may be in several leaves, though once in each. Deterministic, whatever the number of threads. Throws
-/// InputError beyond 2^28 blocks, nodes, spheres or placements.
+/// triangle may be in several leaves, though once in each. Deterministic, whatever the number of
+/// threads. Throws InputError beyond 2^28 blocks, nodes, spheres or placements.
 Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> placements,
               const BvhOptions& options = {});
 
-/// Checks every invariant of the layout (bounds contain children, each primitive present, once or in
-/// parts that cover it, indices in range, stack_size sufficient, ids ascending in blocks); an empty string, or the first
-/// violation.
+/// Checks every invariant of the layout (bounds contain children, each primitive present, once or
+/// in parts that cover it, indices in range, stack_size sufficient, ids ascending in blocks); an
+/// empty string, or the first violation.
 std::string validate_bvh(const Bvh& bvh, std::span<const Geometry> geometries,
                          std::span<const Placement> placements);
 

@@ -1,11 +1,12 @@
-// Triangles cut in two by planes across an axis: what builders with spatial splits put on each side.
+// Triangles cut in two by planes across an axis: what builders with spatial splits put on each
+// side.
 //
-// Why the hits stay the same bits when a triangle hangs in several leaves: every part's box contains
-// what the kernels may take for a hit on that part, as the box of a whole triangle does. So a ray
-// enters the box of the part that it hits no later than the hit. A leaf with another part of the
-// triangle finds the same hit, and as it counts as no closer than where the ray enters that leaf's
-// box, it is farther, or the same. The smallest is what remains, in whatever order leaves are
-// visited; and a leaf whose box is entered before the smallest is never skipped.
+// Why the hits stay the same bits when a triangle hangs in several leaves: every part's box
+// contains what the kernels may take for a hit on that part, as the box of a whole triangle does.
+// So a ray enters the box of the part that it hits no later than the hit. A leaf with another part
+// of the triangle finds the same hit, and as it counts as no closer than where the ray enters that
+// leaf's box, it is farther, or the same. The smallest is what remains, in whatever order leaves
+// are visited; and a leaf whose box is entered before the smallest is never skipped.
 #pragma once
 
 #include "accel/reference.h"

@@ -10,6 +10,10 @@ namespace {
 
 constexpr uint32_t MOST = SpatialGrid::MOST_BINS;
 
+/// What a split that takes all the room must save, as part of the cost: near the root many
+/// triangles could be cut for little, and nothing would be left for where it matters.
+constexpr float CUT_PRICE = 0.2f;
+
 struct SpatialBins {
     uint32_t used;
     uint32_t first[3][MOST], last[3][MOST]; ///< references that begin and end in a bin
@@ -76,8 +80,9 @@ void sweep(const SpatialBins& bins, int axis, uint32_t count, uint32_t most_cuts
         ended += bins.last[axis][i - 1];
         const uint32_t rest = count - ended;
         if (begun == 0 || rest == 0 || begun - ended > most_cuts) continue;
-        const float cost =
-            half_area(left) * split_weight(begun) + half_area(rights[i]) * split_weight(rest);
+        const float price = 1.0f + CUT_PRICE * float(begun - ended) / float(most_cuts);
+        const float cost = price * (half_area(left) * split_weight(begun) +
+                                    half_area(rights[i]) * split_weight(rest));
         if (cost < best.cost) best = {axis, i, cost, {begun, rest}, {left, rights[i]}};
     }
 }

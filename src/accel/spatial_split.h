@@ -1,5 +1,5 @@
-// Where to cut space in two, and the triangles that lie across with it: the spatial splits of Stich,
-// Friedrich and Dietrich, "Spatial splits in bounding volume hierarchies", 2009.
+// Where to cut space in two, and the triangles that lie across with it: the spatial splits of
+// Stich, Friedrich and Dietrich, "Spatial splits in bounding volume hierarchies", 2009.
 #pragma once
 
 #include "accel/cut.h"
@@ -11,8 +11,9 @@ namespace onde::accel {
 struct SpatialSplit {
     int axis = -1; ///< none
     uint32_t bin = 0;
-    float cost = std::numeric_limits<float>::infinity(); ///< as Split's
-    uint32_t counts[2] = {0, 0};                         ///< when all that straddle are cut
+    /// As Split's, with a price on the share of the room that the cuts take.
+    float cost = std::numeric_limits<float>::infinity();
+    uint32_t counts[2] = {0, 0}; ///< when all that straddle are cut
     Box sides[2];
 };
 

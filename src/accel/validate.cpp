@@ -81,8 +81,7 @@ class Validator {
     Walked walk_tree(uint32_t root, Roll roll) {
         const Walked walked = walk(root, roll);
         for (size_t g = 0; g < roll.seen.size(); ++g)
-            for (size_t i = 0; i < roll.seen[g].size(); ++i)
-                check_seen(roll, g, uint32_t(i));
+            for (size_t i = 0; i < roll.seen[g].size(); ++i) check_seen(roll, g, uint32_t(i));
         return walked;
     }
 
@@ -112,8 +111,8 @@ class Validator {
                 const glm::vec3 point(a + (double(u) * e1 + double(v) * e2) / double(STEPS));
                 const Box at = {lanes(point), lanes(point)};
                 if (std::ranges::none_of(parts, [&](const Box& box) { return box.contains(at); }))
-                    fail("the leaves of triangle {} of geometry {} do not contain all of it",
-                         index, owner);
+                    fail("the leaves of triangle {} of geometry {} do not contain all of it", index,
+                         owner);
             }
     }
 

@@ -39,6 +39,15 @@ Soup needles(int count, float length, unsigned seed) {
     return soup;
 }
 
+/// Some of them among many small triangles.
+Soup few_needles() {
+    Soup soup = needles(150, 2.0f, 38);
+    const Soup small = random_triangles(3000, 0.03f, 42);
+    for (size_t i = 0; i < small.positions.size(); i += 3)
+        soup.add(small.positions[i], small.positions[i + 1], small.positions[i + 2]);
+    return soup;
+}
+
 template <class T>
 bool same_bytes(const AlignedVector<T>& a, const AlignedVector<T>& b) {
     return a.size() == b.size() &&
@@ -103,27 +112,27 @@ TEST_CASE("spatial splits cope with coordinates from 1e-30 to 1e30") {
 }
 
 TEST_CASE("spatial splits add references, though no more than they may") {
-    const Soup soup = needles(5000, 1.0f, 37);
-    for (float extra : {0.0f, 0.1f, 0.3f, 1.0f}) {
-        INFO("extra " << extra);
-        const Bvh bvh = build(soup, {.extra_references = extra});
-        CHECK(validate(soup, bvh) == "");
-        const double added = double(bvh.statistics.references) / 5000 - 1;
-        CHECK(added <= extra + 1e-6);
-        CHECK(added >= 0.5 * extra);
-    }
+    for (const Soup& soup : {few_needles(), needles(5000, 1.0f, 37)})
+        for (float extra : {0.0f, 0.01f, 0.1f, 0.3f, 1.0f}) {
+            INFO(soup.size() << " triangles, extra " << extra);
+            const Bvh bvh = build(soup, {.extra_references = extra});
+            CHECK(validate(soup, bvh) == "");
+            const uint32_t added = bvh.statistics.references - soup.size();
+            if (extra >= 0.1f) CHECK(added > 0);
+            CHECK(double(added) <= double(extra) * soup.size() + 0.5);
+        }
 }
 
-TEST_CASE("spatial splits lower the cost of trees over long thin triangles") {
-    for (float length : {0.5f, 1.0f, 2.0f}) {
-        const Soup soup = needles(5000, length, 38);
-        INFO("length " << length);
-        CHECK(build(soup).statistics.sah_cost < 0.95 * cost_of_sah(soup));
-        CHECK(build(soup, {.extra_references = 1.0f}).statistics.sah_cost <
-              0.9 * cost_of_sah(soup));
-    }
-    const Soup terrain = bumpy_terrain(60);
-    CHECK(build(terrain).statistics.sah_cost <= 1.01 * cost_of_sah(terrain));
+TEST_CASE("spatial splits lower the cost where some triangles are long") {
+    const Soup soup = few_needles();
+    const double cost = cost_of_sah(soup);
+    CHECK(build(soup).statistics.sah_cost < 0.8 * cost);
+    CHECK(build(soup, {.extra_references = 1.0f}).statistics.sah_cost < 0.7 * cost);
+}
+
+TEST_CASE("spatial splits cost no more where all triangles are long, or none") {
+    for (const Soup& soup : {needles(5000, 0.5f, 38), needles(5000, 2.0f, 38), bumpy_terrain(60)})
+        CHECK(build(soup).statistics.sah_cost <= 1.02 * cost_of_sah(soup));
 }
 
 TEST_CASE("a tree with spatial splits has the same bits with one thread and with many") {

@@ -47,6 +47,7 @@ Builder embree(const char* name, RTCBuildQuality quality) {
 
 std::vector<Builder> all_builders() {
     return {onde("onde sah", ANY, BvhBuilder::sah),
+            onde("onde high", ANY, BvhBuilder::high),
             onde("onde median", LABORATORY, BvhBuilder::median),
             onde("onde median-spatial", LABORATORY, BvhBuilder::median_spatial),
             embree("embree low", RTC_BUILD_QUALITY_LOW),

@@ -8,6 +8,7 @@
 #include "core/files.h"
 #include "core/log.h"
 
+#include <map>
 #include <thread>
 
 namespace onde::bench {
@@ -17,6 +18,7 @@ struct Options {
     std::vector<std::string> scenes;
     uint32_t side = 512;
     RaceOptions race;
+    BvhBuilder builder = BvhOptions{}.builder;
     std::string device, json, kernels;
 };
 
@@ -26,8 +28,10 @@ std::vector<SetReport> measure(const Model& model, const gpu::Device& device,
     spdlog::info("{}: building trees around {} triangles", model.name, model.triangles.size());
     const Geometry geometry = model.geometry();
     const Placement placement;
-    const Bvh tree = build_bvh({&geometry, 1}, {&placement, 1});
-    const Bvh tight_tree = build_bvh({&geometry, 1}, {&placement, 1}, {.watertight = true});
+    const BvhOptions plain{.builder = options.builder};
+    const BvhOptions tight{.builder = options.builder, .watertight = true};
+    const Bvh tree = build_bvh({&geometry, 1}, {&placement, 1}, plain);
+    const Bvh tight_tree = build_bvh({&geometry, 1}, {&placement, 1}, tight);
     OndeTracer onde(device, sources, tree), watertight(device, sources, tight_tree);
     const EmbreeScene embree(model, RTC_BUILD_QUALITY_HIGH);
     spdlog::info("{}: recording rays", model.name);
@@ -73,6 +77,10 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_flag("--cpu-time", options.race.cpu_time,
                  "count processor time instead of wall-clock time, for busy machines");
+    const std::map<std::string, onde::BvhBuilder> trees{{"sah", onde::BvhBuilder::sah},
+                                                        {"high", onde::BvhBuilder::high}};
+    app.add_option("--bvh", options.builder, "Onde's tree; else the one that renders use")
+        ->transform(CLI::CheckedTransformer(trees));
     app.add_option("--device", options.device, "OpenCL device, as for onde");
     app.add_option("--kernels", options.kernels, "read kernels from this folder");
     onde::bench::add_repetitions(app, options.race.repetitions);

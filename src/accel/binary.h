@@ -36,4 +36,10 @@ struct BinaryTree {
 /// Splits the references top-down until every leaf fits a TriangleBlock or is a single.
 BinaryTree build_binary(std::vector<Reference> references, const BvhOptions& options);
 
+/// The same with spatial splits where those are cheaper, so that a triangle may be in several
+/// leaves (but once in each). There are at most 1 + options.extra_references times as many
+/// references.
+BinaryTree build_binary_spatial(std::vector<Reference> references,
+                                std::span<const Geometry> geometries, const BvhOptions& options);
+
 } // namespace onde::accel

@@ -51,6 +51,10 @@ struct Box {
         return true;
     }
     bool is_empty() const { return !(low[0] <= high[0]); }
+    /// Of what two boxes share, which may be empty along any axis.
+    bool has_points() const { return low[0] <= high[0] && low[1] <= high[1] && low[2] <= high[2]; }
+    Box common(const Box& other) const { return {upper(low, other.low), lower(high, other.high)}; }
+    Box widened(float margin) const { return {low - splat(margin), high + splat(margin)}; }
     Lanes center() const { return splat(0.5f) * low + splat(0.5f) * high; }
 };
 

@@ -147,6 +147,9 @@ Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> p
     bvh.has_instances = !hanging.shown.empty();
     bvh.stack_size = world.size().stack + 1;
     bvh.statistics = measure_bvh(bvh, options);
+    for (const auto& hung : {hanging.direct, hanging.instanced})
+        for (uint32_t geometry : hung)
+            bvh.statistics.triangles += uint32_t(geometries[geometry].triangles.size());
     bvh.statistics.depth = world.size().depth;
     bvh.statistics.instances = uint32_t(hanging.shown.size());
     bvh.statistics.build_seconds = timer.seconds();

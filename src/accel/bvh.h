@@ -46,7 +46,8 @@ struct Placement {
 
 /// How a tree is split.
 enum class BvhBuilder {
-    sah,            ///< by surface-area heuristic, then made 16 wide: the production tree
+    sah,            ///< by surface-area heuristic, then made 16 wide: built fast
+    high,           ///< the same with spatial splits: better to walk, and longer to build
     median,         ///< in halves by centre, to one primitive a leaf, two children a node (C13)
     median_spatial, ///< the same, but triangles that straddle a cut are cut in two
     none,           ///< not at all: a list of blocks whose boxes exclude nothing
@@ -54,15 +55,17 @@ enum class BvhBuilder {
 
 struct BvhOptions {
     BvhBuilder builder = BvhBuilder::sah;
-    bool watertight = false;     ///< leaf blocks hold corners, not edges; see TriangleBlock
-    uint32_t bins = 32;          ///< of the surface-area heuristic, per axis
-    float traversal_cost = 1.0f; ///< of entering a wide node
-    float leaf_cost = 1.0f;      ///< of testing one leaf block or sphere
-    bool parallel = true;        ///< the result is the same either way
+    bool watertight = false;       ///< leaf blocks hold corners, not edges; see TriangleBlock
+    uint32_t bins = 32;            ///< of the surface-area heuristic, per axis
+    float traversal_cost = 1.0f;   ///< of entering a wide node
+    float leaf_cost = 1.0f;        ///< of testing one leaf block or sphere
+    float extra_references = 0.3f; ///< at most, as part of the primitives, that `high` may add
+    bool parallel = true;          ///< the result is the same either way
 };
 
 struct BvhStatistics {
     uint32_t triangles = 0, spheres = 0, shapes = 0, instances = 0;
+    uint32_t references = 0; ///< to triangles, from leaves: more than those where some are cut
     uint32_t nodes = 0, blocks = 0, depth = 0;
     double children_per_node = 0;
     double triangles_per_block = 0;
@@ -89,15 +92,15 @@ struct Bvh {
 /// have no instance. All such geometries share one tree, the world's, in which the instances are
 /// leaves; each instanced geometry has a tree of its own. Placed geometries may be empty. The
 /// bounds in the nodes have the margin that the kernels' slab test counts on to be conservative.
-/// The other builders are laboratory ones: the same hits from plainer trees; with spatial cuts a
-/// triangle may be in several leaves. Deterministic, whatever the number of threads. Throws
-/// InputError beyond 2^28 blocks, nodes, spheres or placements.
+/// The builders after `high` are laboratory ones. All give the same hits; with spatial splits a
+/// triangle may be in several leaves, though once in each. Deterministic, whatever the number of
+/// threads. Throws InputError beyond 2^28 blocks, nodes, spheres or placements.
 Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> placements,
               const BvhOptions& options = {});
 
-/// Checks every invariant of the layout (bounds contain children, each primitive present, indices
-/// in range, stack_size sufficient, ids ascending in blocks); an empty string, or the first
-/// violation.
+/// Checks every invariant of the layout (bounds contain children, each primitive present, once or
+/// in parts that cover it, indices in range, stack_size sufficient, ids ascending in blocks); an
+/// empty string, or the first violation.
 std::string validate_bvh(const Bvh& bvh, std::span<const Geometry> geometries,
                          std::span<const Placement> placements);
 

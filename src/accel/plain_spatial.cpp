@@ -1,35 +1,13 @@
 // The median split with spatial cuts: triangles that straddle the plane are cut in two.
 #include "accel/plain.h"
 
+#include "accel/cut.h"
 #include "accel/plain_builder.h"
 #include "accel/split.h"
-
-#include <cmath>
 
 namespace onde::accel {
 
 namespace {
-
-/// A triangle after up to six cuts; convex.
-struct Polygon {
-    glm::dvec3 corner[12];
-    int count = 0;
-
-    void add(glm::dvec3 p) { corner[count++] = p; }
-};
-
-/// The part with sign * p[axis] <= sign * at.
-Polygon kept(const Polygon& polygon, int axis, double at, double sign) {
-    Polygon part;
-    for (int i = 0; i < polygon.count; ++i) {
-        const glm::dvec3 a = polygon.corner[i], b = polygon.corner[(i + 1) % polygon.count];
-        const double past_a = sign * (a[size_t(axis)] - at), past_b = sign * (b[size_t(axis)] - at);
-        if (past_a <= 0) part.add(a);
-        if ((past_a < 0 && past_b > 0) || (past_a > 0 && past_b < 0))
-            part.add(a + (b - a) * (past_a / (past_a - past_b)));
-    }
-    return part;
-}
 
 class SpatialBuilder {
   public:
@@ -80,12 +58,11 @@ class SpatialBuilder {
                 (i < half ? left : right).push_back(references[i]);
                 continue;
             }
-            const Box low = part_box(references[i], axis, at, 1.0);
-            const Box high = part_box(references[i], axis, at, -1.0);
+            const Halves halves = cut(geometries_, references[i], axis, at);
             const uint32_t owner = references[i].owner(), index = references[i].index();
-            if (!low.is_empty()) left.emplace_back(low, owner, index);
-            if (!high.is_empty() || low.is_empty())
-                right.emplace_back(high.is_empty() ? box : high, owner, index);
+            const bool below = halves.below.has_points(), above = halves.above.has_points();
+            if (below) left.emplace_back(halves.below, owner, index);
+            if (above || !below) right.emplace_back(above ? halves.above : box, owner, index);
         }
         const size_t all = left.size() + right.size(), before = references.size();
         if (all <= before + budget && left.size() < before && right.size() < before &&
@@ -94,28 +71,6 @@ class SpatialBuilder {
         left.clear();
         right.clear();
         return false;
-    }
-
-    /// The box of what remains of a triangle within its reference's box and one side of the plane.
-    Box part_box(const Reference& reference, int axis, float at, double sign) const {
-        const Geometry& geometry = geometries_[reference.owner()];
-        const glm::uvec3 corners = geometry.triangles[reference.index()];
-        const Box box = reference.box();
-        Polygon polygon;
-        for (size_t k = 0; k < 3; ++k) polygon.add(glm::dvec3(geometry.positions[corners[k]]));
-        // A little outside, so that rounding never loses a part that is flat.
-        constexpr double SLACK = 1e-6;
-        for (int k = 0; k < 3; ++k) {
-            polygon = kept(polygon, k, box.high[k] + SLACK * std::abs(box.high[k]), 1.0);
-            polygon = kept(polygon, k, box.low[k] - SLACK * std::abs(box.low[k]), -1.0);
-        }
-        polygon = kept(polygon, axis, at + sign * SLACK * std::abs(at), sign);
-        Box part;
-        for (int i = 0; i < polygon.count; ++i) {
-            const glm::dvec3 p = polygon.corner[i];
-            part.extend(lower(upper(lanes(glm::vec3(p)), box.low), box.high));
-        }
-        return part;
     }
 
     std::span<const Geometry> geometries_;
@@ -127,6 +82,7 @@ class SpatialBuilder {
 BinaryTree build_median_spatial(std::vector<Reference> references,
                                 std::span<const Geometry> geometries) {
     if (references.empty()) return {};
+    add_margins(references, false);
     return SpatialBuilder(geometries).build(std::move(references));
 }
 

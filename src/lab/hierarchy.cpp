@@ -68,6 +68,8 @@ const char* builder_name(BvhBuilder builder) {
         return "median";
     case BvhBuilder::median_spatial:
         return "median, spatial cuts";
+    case BvhBuilder::high:
+        return "SAH, spatial splits";
     case BvhBuilder::sah:
         break;
     }

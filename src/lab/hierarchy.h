@@ -9,7 +9,7 @@ namespace onde {
 
 /// In the order in which they are shown.
 inline constexpr std::array BUILDERS{BvhBuilder::none, BvhBuilder::median,
-                                     BvhBuilder::median_spatial, BvhBuilder::sah};
+                                     BvhBuilder::median_spatial, BvhBuilder::sah, BvhBuilder::high};
 
 /// For people.
 const char* builder_name(BvhBuilder builder);

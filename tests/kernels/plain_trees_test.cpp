@@ -23,19 +23,32 @@ World mixed_world() {
     return World(std::move(soup));
 }
 
+/// Long thin triangles, crosswise, some far larger than the rest and far from the origin: most of
+/// them are cut many times.
+World needles() {
+    Soup soup;
+    Generator generator(43);
+    for (int i = 0; i < 1500; ++i) {
+        const float length = i % 10 == 0 ? 30.0f : 2.0f;
+        const glm::vec3 middle = uniform_point(generator), d = length * uniform_point(generator);
+        soup.add(middle - d, middle + d, middle + d + 0.05f * uniform_point(generator));
+    }
+    return World(std::move(soup));
+}
+
 } // namespace
 
 TEST_CASE("every builder's tree gives the hits of the production tree") {
     const std::vector<Ray> rays = varied_rays();
-    for (World world : {World(bumpy_terrain(60)), mixed_world(), grove()})
+    for (World world : {World(bumpy_terrain(60)), mixed_world(), needles(), grove()})
         for (bool watertight : {false, true}) {
             const std::vector<std::string> defines{fmt::format("ONDE_WATERTIGHT={:d}", watertight)};
             world.bvh = build_bvh(world.geometries, world.placements, {.watertight = watertight});
             Tracer production(world, defines);
             const std::vector<Hit> expected = production.closest(rays);
             const std::vector<uint32_t> blocked = production.occluded(rays);
-            for (BvhBuilder builder :
-                 {BvhBuilder::median, BvhBuilder::median_spatial, BvhBuilder::none}) {
+            for (BvhBuilder builder : {BvhBuilder::high, BvhBuilder::median,
+                                       BvhBuilder::median_spatial, BvhBuilder::none}) {
                 world.bvh = build_bvh(world.geometries, world.placements,
                                       {.builder = builder, .watertight = watertight});
                 Tracer tracer(world, defines);

@@ -56,7 +56,8 @@ TEST_CASE("the sum of the map is the number of tests that the same rays take in 
     options.filter = Filter::blackman_harris;
     const std::vector<VolumeRay> rays = camera_rays(scene, options);
     const gpu::KernelSources sources = kernel_sources();
-    for (BvhBuilder builder : {BvhBuilder::sah, BvhBuilder::median, BvhBuilder::median_spatial}) {
+    for (BvhBuilder builder :
+         {BvhBuilder::sah, BvhBuilder::high, BvhBuilder::median, BvhBuilder::median_spatial}) {
         const TestMap map = map_of(scene, {.builder = builder}, options);
         const HierarchyReport counted =
             measure_hierarchy(device(), sources, &test_cache(), soup, builder, rays);
@@ -79,8 +80,8 @@ TEST_CASE("plain trees render the same picture as the production tree") {
             RenderOptions options = small_options(40, 28, 2);
             options.integrator = integrator;
             const Image expected = render_by(scene, place_on_device(scene), options).image;
-            for (BvhBuilder builder :
-                 {BvhBuilder::median, BvhBuilder::median_spatial, BvhBuilder::none}) {
+            for (BvhBuilder builder : {BvhBuilder::high, BvhBuilder::median,
+                                       BvhBuilder::median_spatial, BvhBuilder::none}) {
                 PackedScene packed = pack_scene(scene, {.builder = builder});
                 packed.features = all_features();
                 packed.features.stack_size =

@@ -12,7 +12,7 @@ namespace onde::accel {
 
 namespace {
 
-/// Stich et al., section 4.5, have a tenth; that took longer and gave trees no better.
+/// Stich et al. have a tenth; that took longer and gave trees no better.
 constexpr float LEAST_OVERLAP = 1e-4f; // of the root's area
 
 /// A node's references, from `begin` on, and the room behind them.
@@ -85,7 +85,7 @@ class SpatialBinaryBuilder {
     }
 
     /// Where the children of the best object split hardly overlap, a spatial split gains nothing
-    /// (Stich et al., section 4.5).
+    /// (Stich et al.).
     bool may_pay(const Split& split, const Extent& extent) const {
         const Box overlap = split.axis < 0 ? extent.box : split.sides[0].common(split.sides[1]);
         return overlap.has_points() && half_area(overlap) > least_overlap_;

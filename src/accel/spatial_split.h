@@ -65,7 +65,7 @@ struct SpatialSides {
 
 /// Moves the left side to the front of the `count` references at `first`, behind which there is
 /// room for as many parts as the split cuts. A reference that costs less when it goes to one side
-/// as a whole stays whole (reference unsplitting, section 4.4).
+/// as a whole stays whole (reference unsplitting).
 SpatialSides partition_spatially(Reference* first, uint32_t count,
                                  std::span<const Geometry> geometries, const SpatialGrid& grid,
                                  const SpatialSplit& split);

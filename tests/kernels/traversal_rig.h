@@ -6,6 +6,7 @@
 #include "gpu/program.h"
 #include "scene/load.h"
 #include "support/assets.h"
+#include "support/test_cache.h"
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cstring>
@@ -67,7 +68,7 @@ class Tracer {
           instances_(Buffer<BvhInstance>::in_place(device(), world.bvh.instances)),
           root_(world.bvh.root),
           program_(build_program(device(), KernelSources::embedded(),
-                                 request(world.bvh, std::move(defines)), nullptr)) {}
+                                 request(world.bvh, std::move(defines)), &test_cache())) {}
 
     std::vector<Hit> closest(std::span<const Ray> rays) {
         return trace<Hit>("closest", rays, rays.size());
@@ -87,7 +88,9 @@ class Tracer {
 
   private:
     static ProgramRequest request(const Bvh& bvh, std::vector<std::string> defines) {
-        defines.push_back(fmt::format("ONDE_STACK_SIZE={}", bvh.stack_size));
+        // Of few sizes, so that trees share programs.
+        defines.push_back(
+            fmt::format("ONDE_STACK_SIZE={}", std::bit_ceil(std::max(bvh.stack_size, 64u))));
         defines.push_back(fmt::format("ONDE_INSTANCES={:d}", bvh.has_instances));
         defines.push_back(fmt::format("ONDE_SPHERES={:d}", !bvh.spheres.empty()));
         return {"bench/traversal.cl",

@@ -5,6 +5,7 @@
 #include "scene/load.h"
 #include "support/assets.h"
 #include "support/probe.h"
+#include "support/test_cache.h"
 
 #include <catch2/catch.hpp>
 
@@ -21,13 +22,6 @@ struct Picture {
     Film::Invalid invalid;
     RenderOutcome outcome;
 };
-
-/// One folder of compiled kernels for a test executable's life: engines are compiled once.
-inline const gpu::ProgramCache& test_cache() {
-    static const gpu::ProgramCache cache(std::filesystem::temp_directory_path() /
-                                         "onde-test-kernels");
-    return cache;
-}
 
 /// Options for small, quick pictures; the device's settings.
 inline RenderOptions small_options(uint32_t width, uint32_t height, uint32_t samples) {

@@ -3,6 +3,7 @@
 
 #include "gpu/program.h"
 #include "support/device.h"
+#include "support/test_cache.h"
 
 #include <bit>
 #include <string>
@@ -35,7 +36,8 @@ class Probe {
     Probe(const std::string& file, uint32_t width, const std::vector<std::string>& names,
           std::vector<std::string> defines = {})
         : program_(gpu::build_program(device(), kernel_sources(),
-                                      request(file, width, names, std::move(defines)), nullptr)) {}
+                                      request(file, width, names, std::move(defines)),
+                                      &test_cache())) {}
 
     /// All `words` output columns that probe `name` writes, over the items of `in`, which has at
     /// least one column. `bind` sets the arguments between `count` and the columns and returns the

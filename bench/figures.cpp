@@ -1,12 +1,10 @@
 #include "figures.h"
 
-#include "core/error.h"
 #include "core/files.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 namespace onde::bench {
@@ -34,12 +32,7 @@ std::string source_commit() {
 }
 
 void write_json(const Json& json, const std::filesystem::path& path) {
-    replace_file(path, [&](const std::filesystem::path& temporary) {
-        std::ofstream out(temporary);
-        out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-        if (!out.flush())
-            throw InputError("{}: cannot be written; choose another file", path.string());
-    });
+    write_text(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 } // namespace onde::bench

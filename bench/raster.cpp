@@ -80,9 +80,7 @@ void print(Contender& c, const Options& options, double first) {
 
 void run(const Options& bench) {
     const gpu::Device device = gpu::open_device(bench.device);
-    const gpu::KernelSources sources = bench.kernels.empty()
-                                           ? gpu::KernelSources::embedded()
-                                           : gpu::KernelSources::folder(bench.kernels);
+    const gpu::KernelSources sources = gpu::KernelSources::from(bench.kernels);
     const Scene scene = random_soup(bench);
     const DeviceScene placed(device, pack_scene(scene));
     RenderOptions options;

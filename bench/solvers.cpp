@@ -130,9 +130,7 @@ class Race {
 
 void run(const Options& options) {
     const gpu::Device device = gpu::open_device(options.device);
-    const gpu::KernelSources sources = options.kernels.empty()
-                                           ? gpu::KernelSources::embedded()
-                                           : gpu::KernelSources::folder(options.kernels);
+    const gpu::KernelSources sources = gpu::KernelSources::from(options.kernels);
     Race(device, sources, options).run();
 }
 

@@ -51,9 +51,7 @@ void run(const Options& options) {
     if (!options.json.empty()) check_writable(options.json);
     const std::vector<Model> models = load_models(options.scenes);
     const gpu::Device device = gpu::open_device(options.device);
-    const gpu::KernelSources sources = options.kernels.empty()
-                                           ? gpu::KernelSources::embedded()
-                                           : gpu::KernelSources::folder(options.kernels);
+    const gpu::KernelSources sources = gpu::KernelSources::from(options.kernels);
     fmt::print("{}; Embree {}, quality high, {} threads\n", device.facts().name, RTC_VERSION_STRING,
                std::thread::hardware_concurrency());
     std::vector<SetReport> reports;

@@ -1,7 +1,8 @@
 // Recorded rays through the tree and nothing else: what the traversal bench times and the traversal
 // tests ask. A ray is 8 floats: origin, t_min, direction, t_max; a hit is 5 words: t, u, v, ids.
-#include "lib/bvh.h"
 #include "lib/bvh_packet.h"
+#include "lib/bvh_stream_closest.h"
+#include "lib/bvh_stream_occluded.h"
 
 #define BVH_PARAMETERS                                                                             \
     __global const uchar *nodes, __global const uchar *blocks, __global const BvhSphere *spheres,  \

@@ -4,7 +4,7 @@
 #ifndef ONDE_LIB_BVH_PACKET_H
 #define ONDE_LIB_BVH_PACKET_H
 
-#include "lib/bvh_stream.h"
+#include "lib/bvh.h"
 
 #if ONDE_INSTANCES
 
@@ -55,28 +55,15 @@ INLINE Packet load_packet(float rays[8][16]) {
     packet.direction.x = vload16(0, rays[4]);
     packet.direction.y = vload16(0, rays[5]);
     packet.direction.z = vload16(0, rays[6]);
-    packet.inverse.x = safe_inverse16(packet.direction.x);
-    packet.inverse.y = safe_inverse16(packet.direction.y);
-    packet.inverse.z = safe_inverse16(packet.direction.z);
-    const Vectors16 start = {-packet.origin.x * packet.inverse.x,
-                             -packet.origin.y * packet.inverse.y,
-                             -packet.origin.z * packet.inverse.z};
-    #if ONDE_WATERTIGHT
-    const float16 reach =
-        WATERTIGHT_SLACK *
-        UPPER(fabs(packet.origin.x), UPPER(fabs(packet.origin.y), fabs(packet.origin.z)));
-    const Vectors16 slack = {fabs(packet.inverse.x) * reach, fabs(packet.inverse.y) * reach,
-                             fabs(packet.inverse.z) * reach};
-    #else
-    const Vectors16 slack = {fabs(start.x) * SLAB_SLACK, fabs(start.y) * SLAB_SLACK,
-                             fabs(start.z) * SLAB_SLACK};
-    #endif
-    packet.near.x = start.x - slack.x;
-    packet.near.y = start.y - slack.y;
-    packet.near.z = start.z - slack.z;
-    packet.far.x = start.x + slack.x;
-    packet.far.y = start.y + slack.y;
-    packet.far.z = start.z + slack.z;
+    const float16 reach = watertight_reach16(packet.origin.x, packet.origin.y, packet.origin.z);
+    const SlabAxis16 x = make_slab_axis16(packet.origin.x, packet.direction.x, reach);
+    const SlabAxis16 y = make_slab_axis16(packet.origin.y, packet.direction.y, reach);
+    const SlabAxis16 z = make_slab_axis16(packet.origin.z, packet.direction.z, reach);
+    const Vectors16 inverse = {x.inverse, y.inverse, z.inverse};
+    const Vectors16 near = {x.near, y.near, z.near}, far = {x.far, y.far, z.far};
+    packet.inverse = inverse;
+    packet.near = near;
+    packet.far = far;
     return packet;
 }
 

@@ -57,13 +57,13 @@ INLINE float16 slab_distance(__global const uchar* node, uint plane, float inver
     return fma(node_row(node, plane), (float16)(inverse), (float16)(start));
 }
 
-// The children whose boxes the ray meets within [t_min, t_max], a bit each, and where it does.
+// Where a ray enters the 16 boxes of a node, and where it leaves them; it misses those that it
+// would leave first.
 typedef struct {
-    float16 near;
-    uint bits;
-} NodeHits;
+    float16 near, far;
+} BoxSpans;
 
-INLINE NodeHits meet_node(__global const uchar* node, SlabRay ray, float t_min, float t_max) {
+INLINE BoxSpans span_boxes(__global const uchar* node, SlabRay ray, float t_min, float t_max) {
     const float16 near_x = slab_distance(node, ray.plane.x, ray.inverse.x, ray.near.x);
     const float16 near_y = slab_distance(node, ray.plane.y, ray.inverse.y, ray.near.y);
     const float16 near_z = slab_distance(node, ray.plane.z, ray.inverse.z, ray.near.z);
@@ -72,10 +72,48 @@ INLINE NodeHits meet_node(__global const uchar* node, SlabRay ray, float t_min, 
     const float16 far_z = slab_distance(node, ray.plane.z ^ 64, ray.inverse.z, ray.far.z);
     const float16 near_xy = UPPER(near_x, near_y), near_zt = UPPER(near_z, (float16)(t_min));
     const float16 far_xy = LOWER(far_x, far_y), far_zt = LOWER(far_z, (float16)(t_max));
-    NodeHits hits;
-    hits.near = UPPER(near_xy, near_zt);
-    hits.bits = lower_bits16(hits.near, LOWER(far_xy, far_zt));
+    const BoxSpans spans = {UPPER(near_xy, near_zt), LOWER(far_xy, far_zt)};
+    return spans;
+}
+
+// The children whose boxes the ray meets within [t_min, t_max], a bit each, and where it does.
+typedef struct {
+    float16 near;
+    uint bits;
+} NodeHits;
+
+INLINE NodeHits meet_node(__global const uchar* node, SlabRay ray, float t_min, float t_max) {
+    const BoxSpans spans = span_boxes(node, ray, t_min, t_max);
+    const NodeHits hits = {spans.near, lower_bits16(spans.near, spans.far)};
     return hits;
+}
+
+// One axis of what the slab test needs of 16 rays, as in SlabRay.
+typedef struct {
+    float16 inverse, near, far;
+} SlabAxis16;
+
+INLINE float16 safe_inverse16(float16 direction) {
+    return 1.0f / (fabs(direction) < 1e-18f ? copysign((float16)(1e-18f), direction) : direction);
+}
+
+// By how much of |inverse| the rays are widened in a watertight tree: all axes need the same.
+INLINE float16 watertight_reach16(float16 x, float16 y, float16 z) {
+    return WATERTIGHT_SLACK * UPPER(fabs(x), UPPER(fabs(y), fabs(z)));
+}
+
+INLINE SlabAxis16 make_slab_axis16(float16 origin, float16 direction, float16 reach) {
+    SlabAxis16 axis;
+    axis.inverse = safe_inverse16(direction);
+    const float16 start = -origin * axis.inverse;
+#if ONDE_WATERTIGHT
+    const float16 slack = fabs(axis.inverse) * reach;
+#else
+    const float16 slack = fabs(start) * SLAB_SLACK;
+#endif
+    axis.near = start - slack;
+    axis.far = start + slack;
+    return axis;
 }
 
 #endif

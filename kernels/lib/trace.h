@@ -4,7 +4,8 @@
 #define ONDE_LIB_TRACE_H
 
 #include "lib/bvh_packet.h"
-#include "lib/bvh_stream.h"
+#include "lib/bvh_stream_closest.h"
+#include "lib/bvh_stream_occluded.h"
 #include "lib/surface.h"
 
 // Whether primary rays go through the tree as packets of 16; needs ONDE_WIDTH 16.

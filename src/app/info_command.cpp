@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
 namespace onde::app {
@@ -24,9 +23,6 @@ struct DeviceMemory {
     RenderOptions options;
     MemoryPlan plan;
 };
-
-constexpr std::array KIND_NAMES = {"diffuse", "conductor", "dielectric", "metallic-roughness",
-                                   "phong"};
 
 template <class T>
 uint64_t bytes_of(const std::vector<T>& values) {
@@ -203,10 +199,11 @@ SceneSummary summarize(const Scene& scene) {
         summary.instanced_triangles += scene.meshes[instance.mesh].triangles.size();
         summary.emissive_triangles += emissive[instance.mesh];
     }
-    for (size_t kind = 0; kind < KIND_NAMES.size(); ++kind) {
+    for (size_t kind = 0; kind < MATERIAL_KIND_NAMES.size(); ++kind) {
         const auto is_kind = [&](const Material& m) { return size_t(m.kind) == kind; };
         const auto count = std::count_if(scene.materials.begin(), scene.materials.end(), is_kind);
-        if (count > 0) summary.materials_by_kind.emplace_back(KIND_NAMES[kind], size_t(count));
+        if (count > 0)
+            summary.materials_by_kind.emplace_back(MATERIAL_KIND_NAMES[kind], size_t(count));
     }
     for (const Texture& texture : scene.textures)
         summary.texture_bytes += bytes_of(texture.image.rgba);

@@ -11,7 +11,6 @@
 #include <CLI/CLI.hpp>
 
 #include <charconv>
-#include <fstream>
 #include <memory>
 
 namespace onde::app {
@@ -42,9 +41,7 @@ void run(const InspectRequest& request) {
     check_request(request.render);
     const PixelSample at = parse_pixel(request);
     if (!request.dot.empty()) check_writable(request.dot);
-    const gpu::KernelSources sources = request.render.kernels.empty()
-                                           ? gpu::KernelSources::embedded()
-                                           : gpu::KernelSources::folder(request.render.kernels);
+    const gpu::KernelSources sources = gpu::KernelSources::from(request.render.kernels);
     const gpu::Device device = gpu::open_device(request.render.device);
     const Scene scene = load_requested_scene(request.render);
     const RenderOptions options = resolve_options(request.render, scene, device.facts());
@@ -68,9 +65,7 @@ void run(const InspectRequest& request) {
     }
     fmt::print("pixel {},{} of {}x{}, sample {}\n{}", at.x, at.y, options.width, options.height,
                at.sample, words);
-    if (request.dot.empty()) return;
-    replace_file(request.dot,
-                 [&](const std::filesystem::path& path) { std::ofstream(path) << dot; });
+    if (!request.dot.empty()) write_text(request.dot, dot);
 }
 
 } // namespace

@@ -91,9 +91,7 @@ bool run(const RenderRequest& request) {
     RenderReport report;
     check_request(request);
     const auto outputs = resolve_outputs(request);
-    const gpu::KernelSources sources = request.kernels.empty()
-                                           ? gpu::KernelSources::embedded()
-                                           : gpu::KernelSources::folder(request.kernels);
+    const gpu::KernelSources sources = gpu::KernelSources::from(request.kernels);
     const gpu::Device device = gpu::open_device(request.device);
     const Timer loading;
     const Scene scene = load(request);

@@ -1,12 +1,10 @@
 #include "app/render_report.h"
 
 #include "app/json.h"
-#include "core/error.h"
 #include "core/files.h"
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <numeric>
 
 namespace onde::app {
@@ -100,11 +98,7 @@ void write_report(const RenderReport& r, const std::filesystem::path& path) {
     };
     for (const auto& [name, time] : r.kernel_times)
         json["kernels"][name] = {{"seconds", time.seconds}, {"launches", time.launches}};
-    replace_file(path, [&](const std::filesystem::path& temporary) {
-        std::ofstream out(temporary);
-        out << json_text(json);
-        if (!out.flush()) throw InputError("{}: cannot be written", path.string());
-    });
+    write_text(path, json_text(json));
 }
 
 } // namespace onde::app

@@ -10,7 +10,6 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
-#include <fstream>
 #include <memory>
 
 namespace onde::app {
@@ -45,20 +44,10 @@ void check_size(const SphereVolume& sphere) {
                      sphere.radius, SMALLEST, LARGEST);
 }
 
-void write_plot(const std::filesystem::path& path, const std::string& svg) {
-    replace_file(path, [&](const std::filesystem::path& temporary) {
-        std::ofstream out(temporary);
-        out << svg;
-        if (!out.flush()) throw InputError("{}: cannot be written", path.string());
-    });
-}
-
 void run(const VolumesRequest& request) {
     set_up_logging(false);
     check(request);
-    const gpu::KernelSources sources = request.kernels.empty()
-                                           ? gpu::KernelSources::embedded()
-                                           : gpu::KernelSources::folder(request.kernels);
+    const gpu::KernelSources sources = gpu::KernelSources::from(request.kernels);
     const gpu::Device device = gpu::open_device(request.device);
     const Scene scene = load_scene(request.scene);
     const TriangleSoup object = scene_triangles(scene);
@@ -78,7 +67,7 @@ void run(const VolumesRequest& request) {
         fmt::print("{}",
                    trials_text(try_volumes(device, tester, object, uint64_t(request.trials), 1)));
     if (!request.plot.empty())
-        write_plot(request.plot, lab_svg(report, request.scene.filename().string()));
+        write_text(request.plot, lab_svg(report, request.scene.filename().string()));
 }
 
 } // namespace

@@ -50,6 +50,14 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
     }
 }
 
+void write_text(const fs::path& path, std::string_view text) {
+    replace_file(path, [&](const fs::path& temporary) {
+        std::ofstream out(temporary, std::ios::binary);
+        out << text;
+        if (!out.flush()) throw InputError("{}: cannot be written", path.string());
+    });
+}
+
 void check_writable(const fs::path& path) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     std::error_code error;

@@ -20,6 +20,9 @@ std::string read_file(const std::filesystem::path& path, uint64_t limit = uint64
 void replace_file(const std::filesystem::path& path,
                   const std::function<void(const std::filesystem::path&)>& write);
 
+/// Replaces the file by this text. Throws InputError when it can't be written whole.
+void write_text(const std::filesystem::path& path, std::string_view text);
+
 /// Throws InputError unless a file could be created at `path` now: its folder exists and is
 /// writable, and `path` is not itself a folder. Leaves nothing behind and touches nothing.
 void check_writable(const std::filesystem::path& path);

@@ -86,6 +86,10 @@ class Flattener {
 
 } // namespace
 
+KernelSources KernelSources::from(const std::filesystem::path& root) {
+    return root.empty() ? embedded() : folder(root);
+}
+
 KernelSources KernelSources::embedded() {
     return {};
 }

@@ -18,6 +18,8 @@ class KernelSources {
   public:
     static KernelSources embedded();
     static KernelSources folder(std::filesystem::path root); ///< throws InputError if it is none
+    /// The folder's, or the embedded ones where no folder is named.
+    static KernelSources from(const std::filesystem::path& root);
 
     /// The text of a file named relative to kernels/, for example "lib/lanes.h".
     /// Throws DeviceError naming the file when there is none.

@@ -12,17 +12,16 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-constexpr std::array KINDS = {"diffuse", "conductor", "dielectric", "metallic-roughness", "phong"};
-
 /// "2 diffuse, 1 dielectric": the materials that `is_mapped`, counted by the kind of `kind_of`.
 template <class IsMapped, class KindOf>
 std::string count_kinds(const Scene& scene, const IsMapped& is_mapped, const KindOf& kind_of) {
-    std::array<size_t, KINDS.size()> counts{};
+    std::array<size_t, MATERIAL_KIND_NAMES.size()> counts{};
     for (const Material& material : scene.materials)
         if (is_mapped(material)) ++counts[size_t(kind_of(material))];
     std::vector<std::string> words;
-    for (size_t kind = 0; kind < KINDS.size(); ++kind)
-        if (counts[kind] > 0) words.push_back(fmt::format("{} {}", counts[kind], KINDS[kind]));
+    for (size_t kind = 0; kind < MATERIAL_KIND_NAMES.size(); ++kind)
+        if (counts[kind] > 0)
+            words.push_back(fmt::format("{} {}", counts[kind], MATERIAL_KIND_NAMES[kind]));
     return fmt::format("{}", fmt::join(words, ", "));
 }
 

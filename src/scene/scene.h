@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,6 +38,10 @@ enum class MaterialKind : uint32_t {
     metallic_roughness, ///< the glTF 2.0 mix (appendix B of its specification)
     phong,              ///< the chapter's (C6 to C9); path tracing maps it, see path_material()
 };
+
+/// For people, by kind.
+inline constexpr std::array MATERIAL_KIND_NAMES = {"diffuse", "conductor", "dielectric",
+                                                   "metallic-roughness", "phong"};
 
 /// What the Whitted integrator does at a surface; base_color is the chapter's Co, Material::ior its
 /// n2 / n1. docs/whitted.md says how each number is used, and what other kinds are mapped to.

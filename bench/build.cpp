@@ -56,9 +56,10 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
     onde::bench::Options options;
-    CLI::App app{"Build rates, costs and sizes of Onde's trees beside Embree's"};
-    app.add_option("scenes", options.scenes, "scene or mesh files; without any, a terrain");
-    onde::bench::add_repetitions(app, options.repetitions);
-    onde::bench::add_json(app, options.json);
-    return onde::bench::run_main(app, argc, argv, [&] { onde::bench::run(options); });
+    onde::CommandLine line("build", "Build rates, costs and sizes of Onde's trees beside Embree's");
+    onde::Command root = line.root();
+    root.option("scenes", &options.scenes, "scene or mesh files; without any, a terrain");
+    onde::bench::add_repetitions(root, options.repetitions);
+    onde::bench::add_json(root, options.json);
+    return onde::bench::run_main(line, argc, argv, [&] { onde::bench::run(options); });
 }

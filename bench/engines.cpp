@@ -1,13 +1,12 @@
 // Whole frames of every engine, beside a native path tracer in the same process: the pictures are
 // compared first, then all contenders take turns, again and again.
 #include "engines_report.h"
+#include "front.h"
 
 #include "core/error.h"
 #include "core/files.h"
 #include "image/compare.h"
 #include "scene/load.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -19,11 +18,11 @@ namespace {
 struct Options {
     std::vector<std::filesystem::path> scenes;
     std::vector<std::string> variants;
-    std::pair<uint32_t, uint32_t> size{640, 480};
+    std::string size = "640x480";
     FrameOptions frame;
-    uint32_t repeats = 5, threads = 0;
-    std::filesystem::path environment, json;
-    std::string device;
+    uint32_t repetitions = 5, threads = 0;
+    std::filesystem::path environment;
+    std::string device, json;
 };
 
 /// Throws unless the pictures of two variants are the same, bit for bit.
@@ -78,8 +77,8 @@ class Race {
         check_near(results_[0].variant, picture, native_);
     }
 
-    void run(uint32_t repeats) {
-        for (uint32_t repeat = 0; repeat < repeats; repeat++)
+    void run(uint32_t repetitions) {
+        for (uint32_t repetition = 0; repetition < repetitions; repetition++)
             for (size_t i = 0; i < results_.size(); i++) {
                 const Frame frame = contender(i).render();
                 check_same_work(results_[i], frame);
@@ -122,18 +121,21 @@ uint32_t native_threads(const Options& options, const gpu::DeviceFacts& facts) {
     return facts.is_cpu ? facts.compute_units : std::max(1u, std::thread::hardware_concurrency());
 }
 
-void run(const Options& options) {
+void run(Options options) {
+    const auto size = parse_pair(options.size, 'x');
+    if (!size) throw InputError("--size {} is not of the form 640x480", options.size);
+    std::tie(options.frame.width, options.frame.height) = *size;
     if (!options.json.empty()) check_writable(options.json);
     const gpu::Device device = gpu::open_device(options.device);
     const uint32_t threads = native_threads(options, device.facts());
     const Circumstances circumstances =
-        describe_circumstances(device.facts(), options.frame, threads, options.repeats);
+        describe_circumstances(device.facts(), options.frame, threads, options.repetitions);
     print_header(circumstances);
     std::vector<SceneReport> reports;
     for (const auto& path : options.scenes.empty() ? default_scenes() : options.scenes) {
         Race race(device, load(path, options), options, threads);
         race.warm_up();
-        race.run(options.repeats);
+        race.run(options.repetitions);
         const std::filesystem::path name = path.parent_path().filename() / path.stem();
         reports.push_back(race.report(name.string()));
         print_report(reports.back(), options.frame);
@@ -141,29 +143,22 @@ void run(const Options& options) {
     if (!options.json.empty()) write_json(circumstances, reports, options.json);
 }
 
-Options parse(CLI::App& app, int argc, char** argv) {
-    Options o;
-    const auto positive = CLI::Range(1u, 1u << 20);
-    app.add_option("scenes", o.scenes, "Scene files; without any, three of the project's own")
-        ->type_name("SCENE");
-    app.add_option("--size", o.size, "Pixels, for example 640x480")
-        ->delimiter('x')
-        ->type_name("WxH");
-    app.add_option("--spp", o.frame.samples, "Samples per pixel")->check(positive);
-    app.add_option("--depth", o.frame.depth, "The most surfaces of a path")->check(positive);
-    app.add_option("--repeats", o.repeats, "Timed frames of each variant")->check(positive);
-    app.add_option("--threads", o.threads, "Of the native tracer; as many as the device's units");
-    app.add_option("--environment", o.environment, "Light the scenes with this picture")
-        ->type_name("FILE");
-    app.add_option("--variants", o.variants, "Only these, with commas between")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("NAMES");
-    app.add_option("--device", o.device, "OpenCL device, as for onde");
-    app.add_option("--json", o.json, "Also write the figures to this file")->type_name("FILE");
-    app.parse(argc, argv);
-    std::tie(o.frame.width, o.frame.height) = o.size;
-    return o;
+void declare(Command& root, Options& o) {
+    const OptionRules counted{.value = "N", .show_default = true, .least = 1, .most = 1 << 20};
+    root.option("scenes", &o.scenes, "scene files; without any, three of the project's own",
+                {.value = "SCENE"});
+    root.option("--size", &o.size, "pixels", {.value = "WxH", .show_default = true});
+    root.option("--spp", &o.frame.samples, "samples per pixel", counted);
+    root.option("--depth", &o.frame.depth, "the most surfaces of a path", counted);
+    root.option("--threads", &o.threads, "of the native tracer; as many as the device's units",
+                {.value = "N"});
+    root.option("--environment", &o.environment, "light the scenes with this picture",
+                {.value = "FILE"});
+    root.option("--variants", &o.variants, "only these, with commas between",
+                {.value = "NAMES", .delimiter = ','});
+    add_repetitions(root, o.repetitions);
+    add_device(root, o.device);
+    add_json(root, o.json);
 }
 
 /// Drivers keep compiled kernels too, but the seconds of a first compilation are wanted.
@@ -177,20 +172,9 @@ void forbid_driver_caches() {
 
 int main(int argc, char** argv) {
     onde::bench::forbid_driver_caches();
-    CLI::App app{"Whole frames of Onde's engines beside a native path tracer"};
-    try {
-        onde::bench::run(onde::bench::parse(app, argc, argv));
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error);
-    } catch (const onde::InputError& error) {
-        fmt::print(stderr, "engines: {}\n", error.what());
-        return 2;
-    } catch (const onde::DeviceError& error) {
-        fmt::print(stderr, "engines: {}\n", error.what());
-        return 3;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "engines: {}\n", error.what());
-        return 1;
-    }
+    onde::bench::Options options;
+    onde::CommandLine line("engines", "Whole frames of Onde's engines beside a native path tracer");
+    onde::Command root = line.root();
+    onde::bench::declare(root, options);
+    return onde::bench::run_main(line, argc, argv, [&] { onde::bench::run(options); });
 }

@@ -24,7 +24,7 @@ Json json_of(const Circumstances& c, const SceneReport& report, const Result& r)
                  {"samples", c.frame.samples},
                  {"depth", c.frame.depth},
                  {"native_threads", c.native_threads},
-                 {"repeats", c.repeats},
+                 {"repetitions", c.repetitions},
                  {"scene", report.scene},
                  {"triangles", report.triangles},
                  {"spheres", report.spheres},
@@ -56,18 +56,19 @@ double Result::slowest() const {
 }
 
 Circumstances describe_circumstances(const gpu::DeviceFacts& facts, const FrameOptions& frame,
-                                     uint32_t native_threads, uint32_t repeats) {
+                                     uint32_t native_threads, uint32_t repetitions) {
     const std::string device = fmt::format("{}, {} units, {} ({})", facts.name, facts.compute_units,
                                            facts.platform, facts.driver_version);
     const std::string date = fmt::format("{:%Y-%m-%dT%H:%MZ}", fmt::gmtime(std::time(nullptr)));
-    return {device, source_commit(), date, frame, native_threads, repeats};
+    return {device, source_commit(), date, frame, native_threads, repetitions};
 }
 
 void print_header(const Circumstances& c) {
-    fmt::print("{}\ncommit {}, {}; {}x{}, {} spp, depth {}, box filter, {} repeats; native: Embree "
-               "on {} threads\n",
-               c.device, c.commit, c.date, c.frame.width, c.frame.height, c.frame.samples,
-               c.frame.depth, c.repeats, c.native_threads);
+    fmt::print(
+        "{}\ncommit {}, {}; {}x{}, {} spp, depth {}, box filter, {} repetitions; native: Embree "
+        "on {} threads\n",
+        c.device, c.commit, c.date, c.frame.width, c.frame.height, c.frame.samples, c.frame.depth,
+        c.repetitions, c.native_threads);
     fmt::print("ratio: the native tracer's time over the variant's; compile: kernels, nothing "
                "cached; first: the warm-up frame\n");
 }

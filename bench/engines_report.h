@@ -34,12 +34,12 @@ struct SceneReport {
 struct Circumstances {
     std::string device, commit, date;
     FrameOptions frame;
-    uint32_t native_threads = 0, repeats = 0;
+    uint32_t native_threads = 0, repetitions = 0;
 };
 
 /// Date in UTC; the commit of the source folder, "unknown" when that is no checkout.
 Circumstances describe_circumstances(const gpu::DeviceFacts& facts, const FrameOptions& frame,
-                                     uint32_t native_threads, uint32_t repeats);
+                                     uint32_t native_threads, uint32_t repetitions);
 
 void print_header(const Circumstances& circumstances);
 void print_report(const SceneReport& report, const FrameOptions& frame);

@@ -5,19 +5,15 @@
 
 namespace onde::bench {
 
-int run_main(CLI::App& app, int argc, char** argv, const std::function<void()>& run) {
+int run_main(CommandLine& line, int argc, char** argv, const std::function<void()>& run) {
     set_up_logging(false);
     const auto fail = [](int code, const std::string& sentence) {
         spdlog::error(sentence);
         return code;
     };
     try {
-        app.parse(argc, argv);
-        run();
+        if (line.run(argc, argv)) run();
         return 0;
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error); // --help
-        return fail(2, std::string(error.what()) + "; --help lists the options");
     } catch (const InputError& error) {
         return fail(2, error.what());
     } catch (const DeviceError& error) {
@@ -27,14 +23,21 @@ int run_main(CLI::App& app, int argc, char** argv, const std::function<void()>& 
     }
 }
 
-void add_repetitions(CLI::App& app, uint32_t& repetitions) {
-    app.add_option("--repetitions", repetitions, "timed runs of each contender")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+void add_repetitions(Command& command, uint32_t& repetitions) {
+    command.option("--repetitions", &repetitions, "timed runs of each contender",
+                   {.show_default = true, .least = 1, .most = 1000});
 }
 
-void add_json(CLI::App& app, std::string& path) {
-    app.add_option("--json", path, "also write the figures to this file");
+void add_device(Command& command, std::string& device) {
+    command.option("--device", &device, "OpenCL device, as for onde");
+}
+
+void add_kernels(Command& command, std::string& folder) {
+    command.option("--kernels", &folder, "read kernels from this folder");
+}
+
+void add_json(Command& command, std::string& path) {
+    command.option("--json", &path, "also write the figures to this file");
 }
 
 } // namespace onde::bench

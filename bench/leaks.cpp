@@ -1,8 +1,8 @@
 // How many rays leak through the edges and corners of closed meshes, with the watertight option and
 // without, and what the option costs: the same rays, with and without in turn.
-#include "lab/leak_trials.h"
+#include "front.h"
 
-#include <CLI/CLI.hpp>
+#include "lab/leak_trials.h"
 
 #include <algorithm>
 
@@ -63,16 +63,11 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
     onde::bench::Options options;
-    CLI::App app{"Leaks through closed meshes, with and without --watertight"};
-    app.add_option("--rays", options.rays, "in all, for example 1e8")->check(CLI::Range(1e3, 1e12));
-    app.add_option("--repetitions", options.repetitions, "timed runs of each contender")
-        ->check(CLI::Range(1, 1000));
-    app.add_option("--device", options.device, "OpenCL device, as for onde");
-    CLI11_PARSE(app, argc, argv);
-    try {
-        onde::bench::run(options);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return 1;
-    }
+    onde::CommandLine line("leaks", "Leaks through closed meshes, with and without --watertight");
+    onde::Command root = line.root();
+    root.option("--rays", &options.rays, "in all, for example 1e8",
+                {.show_default = true, .least = 1e3, .most = 1e12});
+    onde::bench::add_device(root, options.device);
+    onde::bench::add_repetitions(root, options.repetitions);
+    return onde::bench::run_main(line, argc, argv, [&] { onde::bench::run(options); });
 }

@@ -1,11 +1,11 @@
 // How fast the depth buffer and the painter draw many small triangles: both kinds of atomics are
 // compared first, then every contender in turn, again and again. Medians, spreads and the time of
 // each stage are printed.
+#include "front.h"
+
 #include "core/timer.h"
 #include "render/raster_depth_buffer.h"
 #include "render/raster_painter.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -118,20 +118,19 @@ void run(const Options& bench) {
 
 int main(int argc, char** argv) {
     onde::bench::Options options;
-    CLI::App app{"Rates of the depth buffer and the painter on many small triangles"};
-    app.add_option("--triangles", options.triangles)->check(CLI::Range(1, 1 << 26));
-    app.add_option("--side", options.side, "of a triangle, in pixels")->check(CLI::Range(0.1, 1e4));
-    app.add_option("--width", options.width)->check(CLI::Range(1, 16384));
-    app.add_option("--height", options.height)->check(CLI::Range(1, 16384));
-    app.add_option("--repetitions", options.repetitions, "timed samples of each contender")
-        ->check(CLI::Range(1, 1000));
-    app.add_option("--device", options.device, "OpenCL device, as for onde");
-    app.add_option("--kernels", options.kernels, "read kernels from this folder");
-    CLI11_PARSE(app, argc, argv);
-    try {
-        onde::bench::run(options);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return 1;
-    }
+    onde::CommandLine line("raster",
+                           "Rates of the depth buffer and the painter on many small triangles");
+    onde::Command root = line.root();
+    root.option("--triangles", &options.triangles, "thrown at random into the view",
+                {.show_default = true, .least = 1, .most = 1 << 26});
+    root.option("--side", &options.side, "of a triangle, in pixels",
+                {.show_default = true, .least = 0.1, .most = 1e4});
+    root.option("--width", &options.width, "of the picture",
+                {.show_default = true, .least = 1, .most = 16384});
+    root.option("--height", &options.height, "of the picture",
+                {.show_default = true, .least = 1, .most = 16384});
+    onde::bench::add_device(root, options.device);
+    onde::bench::add_kernels(root, options.kernels);
+    onde::bench::add_repetitions(root, options.repetitions);
+    return onde::bench::run_main(line, argc, argv, [&] { onde::bench::run(options); });
 }

@@ -1,5 +1,4 @@
 # What several benches need: models, Embree's scenes, statistics, and what every main() does.
-find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(TBB REQUIRED)
 if(NOT TARGET embree)
@@ -10,5 +9,5 @@ add_library(onde_bench_shared STATIC
   ${CMAKE_CURRENT_LIST_DIR}/front.cpp ${CMAKE_CURRENT_LIST_DIR}/model.cpp)
 target_include_directories(onde_bench_shared PUBLIC ${CMAKE_CURRENT_LIST_DIR})
 target_compile_definitions(onde_bench_shared PUBLIC ONDE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-target_link_libraries(onde_bench_shared PUBLIC onde_scene onde_accel embree TBB::tbb CLI11::CLI11
+target_link_libraries(onde_bench_shared PUBLIC onde_scene onde_accel embree TBB::tbb
                       nlohmann_json::nlohmann_json)

@@ -1,10 +1,10 @@
 // The chapter's three ways to solve a ray and a triangle (C11) beside the renderer's own test:
 // every ray against every triangle, answers compared first, then every contender in turn, again
 // and again. Medians and spreads are printed.
+#include "front.h"
+
 #include "core/timer.h"
 #include "gpu/program.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,8 @@ struct Options {
     uint32_t repetitions = 15, rays = 1u << 18, triangles = 256, width = 16;
     std::string device, kernels;
 };
+
+const std::map<std::string, uint32_t> LANES{{"1", 1}, {"8", 8}, {"16", 16}};
 
 float uniform(std::mt19937& generator) {
     return 2.0f * float(generator() >> 8) * 0x1p-24f - 1.0f;
@@ -139,21 +141,19 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
     onde::bench::Options options;
-    CLI::App app{"Ways to solve a ray and a triangle, beside the renderer's test"};
-    app.add_option("--repetitions", options.repetitions, "timed runs of each contender")
-        ->check(CLI::Range(1, 1000));
-    app.add_option("--rays", options.rays, "a multiple of 256")->check(CLI::Range(256, 1 << 24));
-    app.add_option("--triangles", options.triangles)->check(CLI::Range(1, 1 << 20));
-    app.add_option("--lanes", options.width, "of the three solvers: 1, 8 or 16")
-        ->check(CLI::IsMember({1, 8, 16}));
-    app.add_option("--device", options.device, "OpenCL device, as for onde");
-    app.add_option("--kernels", options.kernels, "read kernels from this folder");
-    CLI11_PARSE(app, argc, argv);
-    options.rays -= options.rays % 256;
-    try {
+    onde::CommandLine line("solvers",
+                           "Ways to solve a ray and a triangle, beside the renderer's test");
+    onde::Command root = line.root();
+    root.option("--rays", &options.rays, "cut to a multiple of 256",
+                {.show_default = true, .least = 256, .most = 1 << 24});
+    root.option("--triangles", &options.triangles, "that each ray is tested against",
+                {.show_default = true, .least = 1, .most = 1 << 20});
+    root.choice("--lanes", options.width, onde::bench::LANES, "of the three solvers (16)");
+    onde::bench::add_device(root, options.device);
+    onde::bench::add_kernels(root, options.kernels);
+    onde::bench::add_repetitions(root, options.repetitions);
+    return onde::bench::run_main(line, argc, argv, [&] {
+        options.rays -= options.rays % 256;
         onde::bench::run(options);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return 1;
-    }
+    });
 }

@@ -68,20 +68,19 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
     onde::bench::Options options;
-    CLI::App app{"Traversal rates of Onde beside Embree's"};
-    app.add_option("scenes", options.scenes, "scene or mesh files; without any, a terrain");
-    app.add_option("--side", options.side, "pixels along each side of the picture; 4 rays each")
-        ->check(CLI::Range(64, 2048))
-        ->capture_default_str();
-    app.add_flag("--cpu-time", options.race.cpu_time,
-                 "count processor time instead of wall-clock time, for busy machines");
+    onde::CommandLine line("traversal", "Traversal rates of Onde beside Embree's");
+    onde::Command root = line.root();
+    root.option("scenes", &options.scenes, "scene or mesh files; without any, a terrain");
+    root.option("--side", &options.side, "pixels along each side of the picture; 4 rays each",
+                {.show_default = true, .least = 64, .most = 2048});
+    root.flag("--cpu-time", options.race.cpu_time,
+              "count processor time instead of wall-clock time, for busy machines");
     const std::map<std::string, onde::BvhBuilder> trees{{"sah", onde::BvhBuilder::sah},
                                                         {"high", onde::BvhBuilder::high}};
-    app.add_option("--bvh", options.builder, "Onde's tree; else the one that renders use")
-        ->transform(CLI::CheckedTransformer(trees));
-    app.add_option("--device", options.device, "OpenCL device, as for onde");
-    app.add_option("--kernels", options.kernels, "read kernels from this folder");
-    onde::bench::add_repetitions(app, options.race.repetitions);
-    onde::bench::add_json(app, options.json);
-    return onde::bench::run_main(app, argc, argv, [&] { onde::bench::run(options); });
+    root.choice("--bvh", options.builder, trees, "Onde's tree; else the one that renders use");
+    onde::bench::add_device(root, options.device);
+    onde::bench::add_kernels(root, options.kernels);
+    onde::bench::add_repetitions(root, options.race.repetitions);
+    onde::bench::add_json(root, options.json);
+    return onde::bench::run_main(line, argc, argv, [&] { onde::bench::run(options); });
 }

@@ -41,6 +41,7 @@ KERNEL_ARROWS = {
 DOORS = [
     (re.compile(r"CL/"), re.compile(r"src/(gpu|upload|render)/"), "OpenCL is for gpu, upload, render"),
     (re.compile(r"OpenImageIO/"), re.compile(r"src/image/image_io\.cpp"), "only image_io.cpp opens it"),
+    (re.compile(r"CLI/"), re.compile(r"src/core/command_line\.cpp"), "only command_line.cpp opens it"),
     (re.compile(r"embree"), re.compile(r"^$"), "Embree is an oracle for tests, not for the renderer"),
 ]
 

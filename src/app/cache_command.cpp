@@ -3,8 +3,6 @@
 #include "app/prewarm.h"
 #include "gpu/program.h"
 
-#include <CLI/CLI.hpp>
-
 #include <fmt/format.h>
 
 #include <memory>
@@ -32,28 +30,28 @@ void clear() {
     fmt::print("{} programs removed from {}\n", cache.clear(), folder_name(cache));
 }
 
-void add_prewarm(CLI::App& cache) {
+void add_prewarm(Command& cache) {
     struct Options {
         std::vector<std::string> scenes;
         std::string device;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App* command = cache.add_subcommand(
-        "prewarm", "Compile the kernels that these scenes need, or common ones");
-    command->add_option("scenes", options->scenes, "Scenes: .gltf, .glb, .obj, .ply or .toml")
-        ->type_name("SCENE");
-    command->add_option("--device", options->device, "Device by number or part of its name");
-    command->callback([options] { prewarm(options->scenes, options->device); });
+    Command command =
+        cache.add_command("prewarm", "Compile the kernels that these scenes need, or common ones");
+    command.option("scenes", &options->scenes, "Scenes: .gltf, .glb, .obj, .ply or .toml",
+                   {.value = "SCENE"});
+    command.option("--device", &options->device, "Device by number or part of its name");
+    command.on_run([options] { prewarm(options->scenes, options->device); });
 }
 
 } // namespace
 
-void add_cache_command(CLI::App& app) {
-    CLI::App* cache = app.add_subcommand("cache", "The compiled kernels kept on disk");
-    cache->require_subcommand(1);
-    cache->add_subcommand("list", "List the entries, their sizes and the folder")->callback(list);
-    cache->add_subcommand("clear", "Remove all entries")->callback(clear);
-    add_prewarm(*cache);
+void add_cache_command(Command& root) {
+    Command cache = root.add_command("cache", "The compiled kernels kept on disk");
+    cache.require_command();
+    cache.add_command("list", "List the entries, their sizes and the folder").on_run(list);
+    cache.add_command("clear", "Remove all entries").on_run(clear);
+    add_prewarm(cache);
 }
 
 } // namespace onde::app

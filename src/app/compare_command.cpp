@@ -5,7 +5,6 @@
 #include "image/compare.h"
 #include "image/image_io.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -72,15 +71,14 @@ void run_compare(const CompareOptions& options) {
 
 } // namespace
 
-void add_compare_command(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("compare", "Measure how far picture A is from picture B");
-    const auto options = std::make_shared<CompareOptions>(); // CLI11 copies its callbacks
-    command->add_option("A", options->a, "The picture to judge")->required();
-    command->add_option("B", options->b, "The reference")->required();
-    command->add_option("--diff", options->difference, "Write |A - B| to this .exr or .png");
-    command->add_flag("--json", options->json, "Print the figures as one line of JSON");
-    command->callback([options] { run_compare(*options); });
+void add_compare_command(Command& root) {
+    Command command = root.add_command("compare", "Measure how far picture A is from picture B");
+    const auto options = std::make_shared<CompareOptions>(); // what runs later is copied
+    command.option("A", &options->a, "The picture to judge", {.required = true});
+    command.option("B", &options->b, "The reference", {.required = true});
+    command.option("--diff", &options->difference, "Write |A - B| to this .exr or .png");
+    command.flag("--json", options->json, "Print the figures as one line of JSON");
+    command.on_run([options] { run_compare(*options); });
 }
 
 } // namespace onde::app

@@ -3,8 +3,6 @@
 #include "app/json.h"
 #include "gpu/device.h"
 
-#include <CLI/CLI.hpp>
-
 #include <fmt/format.h>
 
 #include <memory>
@@ -84,11 +82,11 @@ void print_json(const std::vector<PlatformReport>& platforms) {
 
 } // namespace
 
-void add_devices_command(CLI::App& app) {
-    CLI::App* devices = app.add_subcommand("devices", "List the OpenCL devices of this machine");
+void add_devices_command(Command& root) {
+    Command devices = root.add_command("devices", "List the OpenCL devices of this machine");
     const auto as_json = std::make_shared<bool>(false);
-    devices->add_flag("--json", *as_json, "Print JSON");
-    devices->callback([as_json] {
+    devices.flag("--json", *as_json, "Print JSON");
+    devices.on_run([as_json] {
         const std::vector<PlatformReport> platforms = gpu::list_platforms();
         if (*as_json)
             print_json(platforms);

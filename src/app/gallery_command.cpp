@@ -8,8 +8,6 @@
 #include "core/files.h"
 #include "core/log.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <memory>
 
@@ -75,8 +73,8 @@ void write_page(const fs::path& page, const std::vector<GalleryWork>& works,
 bool run(const GalleryRequest& request) {
     set_up_logging(false);
     check_request(request.render);
-    const gpu::KernelSources sources = gpu::KernelSources::from(request.render.kernels);
-    const gpu::Device device = gpu::open_device(request.render.device);
+    const gpu::KernelSources sources = gpu::KernelSources::from(request.render.machine.kernels);
+    const gpu::Device device = gpu::open_device(request.render.machine.device);
     std::vector<GalleryWork> works;
     for (const fs::path& file : scene_files(request.scenes))
         works.push_back(load_work(file, request.render.samples, device.facts()));
@@ -85,7 +83,8 @@ bool run(const GalleryRequest& request) {
 
     const gpu::ProgramCache programs;
     const StopOnInterrupt interrupt;
-    const GalleryStudio studio{device, sources, request.render.no_cache ? nullptr : &programs,
+    const GalleryStudio studio{device, sources,
+                               request.render.machine.no_cache ? nullptr : &programs,
                                interrupt.requested()};
     size_t done = 0;
     for (; done < works.size(); ++done) {
@@ -109,25 +108,20 @@ bool run(const GalleryRequest& request) {
 
 } // namespace
 
-void add_gallery_command(CLI::App& app, bool& interrupted) {
-    const auto request = std::make_shared<GalleryRequest>(); // CLI11 copies its callbacks
+void add_gallery_command(Command& root, bool& interrupted) {
+    const auto request = std::make_shared<GalleryRequest>(); // what runs later is copied
     request->scenes = {ONDE_CHAPTER_SCENES};
-    CLI::App* command = app.add_subcommand(
+    Command command = root.add_command(
         "gallery",
         "Render the chapter's scenes to a page, with their formulas and measured checks");
-    command->add_option("scenes", request->scenes, "Scenes, or folders of them (scenes/chapter)")
-        ->type_name("SCENE");
-    command
-        ->add_option("-o,--output", request->folder, "Folder for index.html and pictures (gallery)")
-        ->type_name("DIR");
-    command->add_option("--spp", request->render.samples, "Samples per pixel (each scene's own)")
-        ->type_name("N");
-    command->add_option("--device", request->render.device,
-                        "Device by number or part of its name (see onde devices)");
-    command->add_option("--kernels", request->render.kernels, "Read kernels from this folder")
-        ->type_name("DIR");
-    command->add_flag("--no-cache", request->render.no_cache, "Compile kernels anew");
-    command->callback([request, &interrupted] { interrupted = run(*request); });
+    command.option("scenes", &request->scenes, "Scenes, or folders of them (scenes/chapter)",
+                   {.value = "SCENE"});
+    command.option("-o,--output", &request->folder, "Folder for index.html and pictures (gallery)",
+                   {.value = "DIR"});
+    command.option("--spp", &request->render.samples, "Samples per pixel (each scene's own)",
+                   {.value = "N"});
+    declare_machine(command, request->render.machine);
+    command.on_run([request, &interrupted] { interrupted = run(*request); });
 }
 
 } // namespace onde::app

@@ -6,8 +6,6 @@
 #include "render/memory_plan.h"
 #include "scene/load.h"
 
-#include <CLI/CLI.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -211,18 +209,18 @@ SceneSummary summarize(const Scene& scene) {
     return summary;
 }
 
-void add_info_command(CLI::App& app) {
+void add_info_command(Command& root) {
     struct Options {
         std::string scene;
         bool json = false;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("info", "Say what a scene file contains and the memory it takes");
-    command->add_option("scene", options->scene, "A .gltf, .glb, .obj, .ply or .toml file")
-        ->required();
-    command->add_flag("--json", options->json, "Print JSON");
-    command->callback([options] {
+    Command command =
+        root.add_command("info", "Say what a scene file contains and the memory it takes");
+    command.option("scene", &options->scene, "A .gltf, .glb, .obj, .ply or .toml file",
+                   {.required = true});
+    command.flag("--json", options->json, "Print JSON");
+    command.on_run([options] {
         const Scene scene = load_scene(options->scene);
         const SceneSummary summary = summarize(scene);
         const DeviceMemory memory = plan_device_memory(scene);

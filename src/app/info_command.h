@@ -2,15 +2,13 @@
 // that rendering it takes.
 #pragma once
 
+#include "core/command_line.h"
+
 #include "scene/scene.h"
 
 #include <cstdint>
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace onde::app {
 
@@ -27,6 +25,6 @@ struct SceneSummary {
 SceneSummary summarize(const Scene& scene);
 
 /// Adds the subcommand; it prints to standard output and throws InputError.
-void add_info_command(CLI::App& app);
+void add_info_command(Command& root);
 
 } // namespace onde::app

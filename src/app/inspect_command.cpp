@@ -8,9 +8,6 @@
 #include "core/log.h"
 #include "upload/device_scene.h"
 
-#include <CLI/CLI.hpp>
-
-#include <charconv>
 #include <memory>
 
 namespace onde::app {
@@ -24,16 +21,13 @@ struct InspectRequest {
 };
 
 PixelSample parse_pixel(const InspectRequest& request) {
-    const std::string& text = request.pixel;
-    const char* end = text.data() + text.size();
+    const auto pair = parse_pair(request.pixel, ',');
+    if (!pair)
+        throw InputError("--pixel {} is not of the form X,Y, for example 120,80", request.pixel);
     PixelSample at;
+    std::tie(at.x, at.y) = *pair;
     at.sample = request.sample;
-    const auto first = std::from_chars(text.data(), end, at.x);
-    if (first.ec == std::errc() && first.ptr != end && *first.ptr == ',') {
-        const auto second = std::from_chars(first.ptr + 1, end, at.y);
-        if (second.ec == std::errc() && second.ptr == end) return at;
-    }
-    throw InputError("--pixel {} is not of the form X,Y, for example 120,80", text);
+    return at;
 }
 
 void run(const InspectRequest& request) {
@@ -41,15 +35,16 @@ void run(const InspectRequest& request) {
     check_request(request.render);
     const PixelSample at = parse_pixel(request);
     if (!request.dot.empty()) check_writable(request.dot);
-    const gpu::KernelSources sources = gpu::KernelSources::from(request.render.kernels);
-    const gpu::Device device = gpu::open_device(request.render.device);
+    const gpu::KernelSources sources = gpu::KernelSources::from(request.render.machine.kernels);
+    const gpu::Device device = gpu::open_device(request.render.machine.device);
     const Scene scene = load_requested_scene(request.render);
     const RenderOptions options = resolve_options(request.render, scene, device.facts());
     const DeviceScene placed(device, pack_scene(scene, request.render.bvh));
     const gpu::ProgramCache cache;
-    const IntegratorContext context{device,  sources, request.render.no_cache ? nullptr : &cache,
-                                    &scene,  placed,  scene.cameras.at(options.camera),
-                                    options, nullptr};
+    const IntegratorContext context{
+        device,  sources, request.render.machine.no_cache ? nullptr : &cache,
+        &scene,  placed,  scene.cameras.at(options.camera),
+        options, nullptr};
     std::string words, dot;
     if (options.integrator == IntegratorKind::whitted) {
         const TreeReport report = inspect_whitted(context, at);
@@ -70,18 +65,17 @@ void run(const InspectRequest& request) {
 
 } // namespace
 
-void add_inspect_command(CLI::App& app) {
-    const auto request = std::make_shared<InspectRequest>(); // CLI11 copies its callbacks
-    CLI::App* command = app.add_subcommand(
+void add_inspect_command(Command& root) {
+    const auto request = std::make_shared<InspectRequest>(); // what runs later is copied
+    Command command = root.add_command(
         "inspect", "Replay one sample of a pixel: its ray tree, or its path, in words");
-    command->add_option("--pixel", request->pixel, "From the upper left")
-        ->type_name("X,Y")
-        ->required();
-    command->add_option("--sample", request->sample, "Of the pixel, from 0")->type_name("S");
-    command->add_option("--dot", request->dot, "Write it as a graph for Graphviz too")
-        ->type_name("FILE");
-    declare_replay_options(*command, request->render);
-    command->callback([request] { run(*request); });
+    command.option("--pixel", &request->pixel, "From the upper left",
+                   {.value = "X,Y", .required = true});
+    command.option("--sample", &request->sample, "Of the pixel, from 0", {.value = "S"});
+    command.option("--dot", &request->dot, "Write it as a graph for Graphviz too",
+                   {.value = "FILE"});
+    declare_replay_options(command, request->render);
+    command.on_run([request] { run(*request); });
 }
 
 } // namespace onde::app

@@ -6,13 +6,10 @@
 #include "app/info_command.h"
 #include "app/inspect_command.h"
 #include "app/render_command.h"
-#include "app/usage_error.h"
 #include "app/volumes_command.h"
 
 #include "core/error.h"
 #include "core/log.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <new>
@@ -30,26 +27,22 @@ int fail(ExitCode code, const char* sentence) {
 
 int main(int argc, char** argv) try {
     onde::set_up_logging(false);
-    CLI::App app{"Onde renders scenes on any OpenCL device.\n"
-                 "Try: onde render scenes/chapter/five-objects.toml",
-                 "onde"};
-    app.require_subcommand(1);
-    app.set_version_flag("--version", ONDE_VERSION);
+    onde::CommandLine line("onde",
+                           "Onde renders scenes on any OpenCL device.\n"
+                           "Try: onde render scenes/chapter/five-objects.toml",
+                           ONDE_VERSION);
+    onde::Command root = line.root();
+    root.require_command();
     bool interrupted = false;
-    onde::app::add_render_command(app, interrupted);
-    onde::app::add_info_command(app);
-    onde::app::add_inspect_command(app);
-    onde::app::add_volumes_command(app);
-    onde::app::add_gallery_command(app, interrupted);
-    onde::app::add_compare_command(app);
-    onde::app::add_devices_command(app);
-    onde::app::add_cache_command(app);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
-        return fail(WRONG_INPUT, onde::app::usage_sentence(app, error).c_str());
-    }
+    onde::app::add_render_command(root, interrupted);
+    onde::app::add_info_command(root);
+    onde::app::add_inspect_command(root);
+    onde::app::add_volumes_command(root);
+    onde::app::add_gallery_command(root, interrupted);
+    onde::app::add_compare_command(root);
+    onde::app::add_devices_command(root);
+    onde::app::add_cache_command(root);
+    line.run(argc, argv);
     if (std::fflush(stdout) != 0) // a full disk behind it, for example
         return fail(WRONG_INPUT, "standard output could not be written");
     return interrupted ? INTERRUPTED : SUCCESS;

@@ -13,8 +13,6 @@
 #include "scene/mapping.h"
 #include "upload/device_scene.h"
 
-#include <CLI/CLI.hpp>
-
 #include <memory>
 
 namespace onde::app {
@@ -91,8 +89,8 @@ bool run(const RenderRequest& request) {
     RenderReport report;
     check_request(request);
     const auto outputs = resolve_outputs(request);
-    const gpu::KernelSources sources = gpu::KernelSources::from(request.kernels);
-    const gpu::Device device = gpu::open_device(request.device);
+    const gpu::KernelSources sources = gpu::KernelSources::from(request.machine.kernels);
+    const gpu::Device device = gpu::open_device(request.machine.device);
     const Timer loading;
     const Scene scene = load(request);
     report.load_seconds = loading.seconds();
@@ -119,7 +117,7 @@ bool run(const RenderRequest& request) {
     const bool profiled = request.stats || !request.json.empty();
     const IntegratorContext context{device,
                                     sources,
-                                    request.no_cache ? nullptr : &cache,
+                                    request.machine.no_cache ? nullptr : &cache,
                                     &scene,
                                     device_scene,
                                     scene.cameras[report.options.camera],
@@ -156,11 +154,11 @@ bool run(const RenderRequest& request) {
 
 } // namespace
 
-void add_render_command(CLI::App& app, bool& interrupted) {
-    auto request = std::make_shared<RenderRequest>();
-    CLI::App* command = app.add_subcommand("render", "Render a scene to a picture");
-    declare_options(*command, *request);
-    command->callback([request, &interrupted] { interrupted = run(*request); });
+void add_render_command(Command& root, bool& interrupted) {
+    const auto request = std::make_shared<RenderRequest>(); // what runs later is copied
+    Command command = root.add_command("render", "Render a scene to a picture");
+    declare_options(command, *request);
+    command.on_run([request, &interrupted] { interrupted = run(*request); });
 }
 
 } // namespace onde::app

@@ -6,12 +6,9 @@
 #include "render/frame.h"
 #include "scene/load.h"
 
-#include <CLI/CLI.hpp>
-
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -48,27 +45,8 @@ const std::map<std::string, Filter> FILTERS{{"box", Filter::box},
 const std::map<std::string, ToneMap> TONE_MAPS{{"none", ToneMap::none},
                                                {"filmic", ToneMap::filmic}};
 
-/// An option that takes one of a few words.
-template <class T, class Field>
-void add_choice(CLI::App& command, const std::string& name, Field& field,
-                const std::map<std::string, T>& words, const std::string& help) {
-    std::vector<std::string> names;
-    for (const auto& [word, value] : words) names.push_back(word);
-    command
-        .add_option_function<std::string>(
-            name, [&field, &words](const std::string& word) { field = words.at(word); }, help)
-        ->check(CLI::IsMember(names))
-        ->type_name("WORD");
-}
-
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
-    uint32_t width = 0, height = 0;
-    const char* end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, width);
-    if (first.ec == std::errc() && first.ptr != end && *first.ptr == 'x') {
-        const auto second = std::from_chars(first.ptr + 1, end, height);
-        if (second.ec == std::errc() && second.ptr == end) return {width, height};
-    }
+    if (const auto size = parse_pair(text, 'x')) return *size;
     throw InputError("--size {} is not of the form WIDTHxHEIGHT, for example 640x480", text);
 }
 
@@ -82,88 +60,72 @@ uint32_t find_camera(const std::string& name, const Scene& scene) {
     throw InputError("--camera {}: no such camera; the scene has {}", name, fmt::join(names, ", "));
 }
 
-void declare_view(CLI::App& command, RenderRequest& r) {
-    command.add_option("scene", r.scene, "Scene: .gltf, .glb, .obj, .ply or .toml")
-        ->required()
-        ->type_name("SCENE");
-    command.add_option("--size", r.size, "Pixels, for example 640x480 (the scene's, else 800x600)")
-        ->type_name("WxH");
-    command.add_option("--camera", r.camera, "Camera of the scene, by name or number (the first)");
-    command
-        .add_option("--environment", r.environment,
-                    "Light the scene with this equirectangular picture (.hdr, .exr)")
-        ->type_name("FILE");
-    command
-        .add_option("--environment-rotation", r.environment_rotation,
-                    "Turn that picture, counter-clockwise seen from above")
-        ->type_name("DEGREES");
+void declare_view(Command& command, RenderRequest& r) {
+    command.option("scene", &r.scene, "Scene: .gltf, .glb, .obj, .ply or .toml",
+                   {.value = "SCENE", .required = true});
+    command.option("--size", &r.size, "Pixels, for example 640x480 (the scene's, else 800x600)",
+                   {.value = "WxH"});
+    command.option("--camera", &r.camera, "Camera of the scene, by name or number (the first)");
+    command.option("--environment", &r.environment,
+                   "Light the scene with this equirectangular picture (.hdr, .exr)",
+                   {.value = "FILE"});
+    command.option("--environment-rotation", &r.environment_rotation,
+                   "Turn that picture, counter-clockwise seen from above", {.value = "DEGREES"});
 }
 
-void declare_picture(CLI::App& command, RenderRequest& r) {
-    command
-        .add_option("-o,--output", r.outputs,
-                    "Picture to write, .png or .exr; may be given several times\n"
-                    "(SCENE.png in the current folder)")
-        ->type_name("FILE");
-    command.add_option("--spp", r.samples, "Samples per pixel (the scene's, else 64)")
-        ->type_name("N");
-    command.add_option("--time", r.seconds, "Stop after about that many seconds")
-        ->type_name("SECONDS");
-    command.add_option("--exposure", r.exposure, "Brighten the .png by that many stops")
-        ->type_name("STOPS");
-    add_choice(command, "--tone-map", r.tone_map, TONE_MAPS,
-               "How the .png rolls off highlights (none)");
-    add_choice(command, "--aov", r.tests_aov, AOVS,
-               "Also write OUTPUT.tests: boxes and primitives that each pixel's camera ray tests,\n"
-               "as numbers in .exr, as colours in .png");
-    command.add_flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
+void declare_picture(Command& command, RenderRequest& r) {
+    command.option("-o,--output", &r.outputs,
+                   "Picture to write, .png or .exr; may be given several times\n"
+                   "(SCENE.png in the current folder)",
+                   {.value = "FILE"});
+    command.option("--spp", &r.samples, "Samples per pixel (the scene's, else 64)", {.value = "N"});
+    command.option("--time", &r.seconds, "Stop after about that many seconds",
+                   {.value = "SECONDS"});
+    command.option("--exposure", &r.exposure, "Brighten the .png by that many stops",
+                   {.value = "STOPS"});
+    command.choice("--tone-map", r.tone_map, TONE_MAPS, "How the .png rolls off highlights (none)");
+    command.choice("--aov", r.tests_aov, AOVS,
+                   "Also write OUTPUT.tests: boxes and primitives that each pixel's camera ray "
+                   "tests,\nas numbers in .exr, as colours in .png");
+    command.flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
 }
 
-void declare_estimator(CLI::App& command, RenderRequest& r) {
-    add_choice(command, "--integrator", r.integrator, INTEGRATORS,
-               "What is computed (the scene's, else path)");
-    command.add_option("--depth", r.depth, "The most surfaces a path visits (the scene's, else 8)")
-        ->type_name("N");
-    command.add_option("--seed", r.seed, "Of the random numbers; same seed, same picture (0)")
-        ->type_name("N");
-    add_choice(command, "--filter", r.filter, FILTERS, "Pixel filter (blackman-harris)");
-    add_choice(command, "--bvh", r.bvh.builder, BUILDERS,
-               "Tree of boxes: fast to build (sah), fast to walk (high), or a plain one to "
-               "compare with");
-    command.add_flag("--watertight", r.bvh.watertight,
-                     "Let no ray slip between triangles that share an edge or a corner");
+void declare_estimator(Command& command, RenderRequest& r) {
+    command.choice("--integrator", r.integrator, INTEGRATORS,
+                   "What is computed (the scene's, else path)");
+    command.option("--depth", &r.depth, "The most surfaces a path visits (the scene's, else 8)",
+                   {.value = "N"});
+    command.option("--seed", &r.seed, "Of the random numbers; same seed, same picture (0)",
+                   {.value = "N"});
+    command.choice("--filter", r.filter, FILTERS, "Pixel filter (blackman-harris)");
+    command.choice("--bvh", r.bvh.builder, BUILDERS,
+                   "Tree of boxes: fast to build (sah), fast to walk (high), or a plain one to "
+                   "compare with");
+    command.flag("--watertight", r.bvh.watertight,
+                 "Let no ray slip between triangles that share an edge or a corner");
 }
 
-void declare_engine(CLI::App& command, RenderRequest& r) {
-    add_choice(command, "--engine", r.engine, ENGINES,
-               "How paths are driven through the device (wavefront)");
-    add_choice(command, "--launch", r.launch, LAUNCHES,
-               "Wavefront stages one by one, or all in one kernel\n(this and the next: what suits "
-               "the device)");
-    add_choice(command, "--queue", r.queue, QUEUES, "Where live rays are kept");
-    add_choice(command, "--packets", r.packets, SWITCH, "Primary rays in packets of 16");
-    command.add_option("--lanes", r.width, "Paths shaded at once by a work item: 1, 8 or 16")
-        ->type_name("N");
-    command.add_option("--wave-size", r.wave_size, "Paths in flight")->type_name("N");
-    command.add_option("--chunk", r.chunk, "Paths of one work item")->type_name("N");
-    command
-        .add_option("--tree-slots", r.tree_slots,
-                    "Whitted: rays kept for each path of a wave (8); what does not fit is cut")
-        ->type_name("N");
+void declare_engine(Command& command, RenderRequest& r) {
+    command.choice("--engine", r.engine, ENGINES,
+                   "How paths are driven through the device (wavefront)");
+    command.choice("--launch", r.launch, LAUNCHES,
+                   "Wavefront stages one by one, or all in one kernel\n(this and the next: what "
+                   "suits the device)");
+    command.choice("--queue", r.queue, QUEUES, "Where live rays are kept");
+    command.choice("--packets", r.packets, SWITCH, "Primary rays in packets of 16");
+    command.option("--lanes", &r.width, "Paths shaded at once by a work item: 1, 8 or 16",
+                   {.value = "N"});
+    command.option("--wave-size", &r.wave_size, "Paths in flight", {.value = "N"});
+    command.option("--chunk", &r.chunk, "Paths of one work item", {.value = "N"});
+    command.option("--tree-slots", &r.tree_slots,
+                   "Whitted: rays kept for each path of a wave (8); what does not fit is cut",
+                   {.value = "N"});
 }
 
-void declare_machine(CLI::App& command, RenderRequest& r) {
-    command.add_option("--device", r.device,
-                       "Device by number or part of its name (see onde devices)");
-    command.add_option("--kernels", r.kernels, "Read kernels from this folder (live editing)")
-        ->type_name("DIR");
-    command.add_flag("--no-cache", r.no_cache, "Compile kernels anew");
-}
-
-void declare_reports(CLI::App& command, RenderRequest& r) {
-    command.add_flag("--stats", r.stats, "Print times, rays, memory and kernel times");
-    command.add_option("--json", r.json, "Write the same numbers to this file")->type_name("FILE");
-    command.add_flag("--quiet", r.quiet, "Print warnings and errors only");
+void declare_reports(Command& command, RenderRequest& r) {
+    command.flag("--stats", r.stats, "Print times, rays, memory and kernel times");
+    command.option("--json", &r.json, "Write the same numbers to this file", {.value = "FILE"});
+    command.flag("--quiet", r.quiet, "Print warnings and errors only");
 }
 
 /// The request's depth, or the scene's as far as an integrator that it does not ask for takes it.
@@ -194,19 +156,27 @@ void resolve_settings(const RenderRequest& request, gpu::DeviceSettings& setting
 
 } // namespace
 
-void declare_options(CLI::App& command, RenderRequest& request) {
+void declare_machine(Command& command, MachineRequest& r) {
+    command.option("--device", &r.device,
+                   "Device by number or part of its name (see onde devices)");
+    command.option("--kernels", &r.kernels, "Read kernels from this folder (live editing)",
+                   {.value = "DIR"});
+    command.flag("--no-cache", r.no_cache, "Compile kernels anew");
+}
+
+void declare_options(Command& command, RenderRequest& request) {
     declare_view(command, request);
     declare_picture(command, request);
     declare_estimator(command, request);
     declare_engine(command, request);
-    declare_machine(command, request);
+    declare_machine(command, request.machine);
     declare_reports(command, request);
 }
 
-void declare_replay_options(CLI::App& command, RenderRequest& request) {
+void declare_replay_options(Command& command, RenderRequest& request) {
     declare_view(command, request);
     declare_estimator(command, request);
-    declare_machine(command, request);
+    declare_machine(command, request.machine);
 }
 
 Scene load_requested_scene(const RenderRequest& request) {
@@ -219,7 +189,7 @@ Scene load_requested_scene(const RenderRequest& request) {
 
 void check_request(const RenderRequest& r) {
     if (!r.size.empty()) parse_size(r.size);
-    // CLI11 reads "nan" and "inf" as numbers.
+    // "nan" and "inf" are read as numbers.
     if (r.seconds && !(*r.seconds > 0 && std::isfinite(*r.seconds)))
         throw InputError("--time {} is not a positive number of seconds", *r.seconds);
     if (r.exposure && !(std::abs(*r.exposure) <= MOST_STOPS))

@@ -1,6 +1,8 @@
 // What the user asked of `onde render`, as the command line gives it: every option optional.
 #pragma once
 
+#include "core/command_line.h"
+
 #include "accel/bvh.h"
 #include "image/image_io.h"
 #include "render/options.h"
@@ -10,11 +12,14 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace onde::app {
+
+/// Where and from what the kernels are built.
+struct MachineRequest {
+    std::string device;
+    std::filesystem::path kernels; ///< empty: the ones inside the program
+    bool no_cache = false;
+};
 
 struct RenderRequest {
     std::filesystem::path scene;
@@ -30,20 +35,23 @@ struct RenderRequest {
     std::optional<bool> packets;
     std::optional<Filter> filter;
     BvhOptions bvh;
-    std::string device, camera, environment;
+    std::string camera, environment;
+    MachineRequest machine;
     float environment_rotation = 0.0f;
     std::optional<float> exposure;
     ToneMap tone_map = ToneMap::none;
     bool full_float = false;
-    std::filesystem::path kernels, json;
-    bool no_cache = false, stats = false, quiet = false;
+    std::filesystem::path json;
+    bool stats = false, quiet = false;
 };
 
+void declare_machine(Command& command, MachineRequest& request);
+
 /// Declares every option of `onde render` on its subcommand.
-void declare_options(CLI::App& command, RenderRequest& request);
+void declare_options(Command& command, RenderRequest& request);
 
 /// Those of them that decide what a sample is, for commands that replay one.
-void declare_replay_options(CLI::App& command, RenderRequest& request);
+void declare_replay_options(Command& command, RenderRequest& request);
 
 /// The scene, under the request's environment. Throws InputError.
 Scene load_requested_scene(const RenderRequest& request);

@@ -1,13 +1,12 @@
 #include "app/volumes_command.h"
 
+#include "app/render_request.h"
 #include "app/volumes_report.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
 #include "gpu/settings.h"
 #include "scene/load.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <memory>
@@ -16,11 +15,10 @@ namespace onde::app {
 namespace {
 
 struct VolumesRequest {
-    std::filesystem::path scene, plot, kernels;
-    std::string device;
+    std::filesystem::path scene, plot;
+    MachineRequest machine;
     uint32_t rays = 1u << 18;
     double trials = 0;
-    bool no_cache = false;
 };
 
 void check(const VolumesRequest& request) {
@@ -47,8 +45,8 @@ void check_size(const SphereVolume& sphere) {
 void run(const VolumesRequest& request) {
     set_up_logging(false);
     check(request);
-    const gpu::KernelSources sources = gpu::KernelSources::from(request.kernels);
-    const gpu::Device device = gpu::open_device(request.device);
+    const gpu::KernelSources sources = gpu::KernelSources::from(request.machine.kernels);
+    const gpu::Device device = gpu::open_device(request.machine.device);
     const Scene scene = load_scene(request.scene);
     const TriangleSoup object = scene_triangles(scene);
     if (const size_t left_out = scene.spheres.size() + scene.shapes.size())
@@ -57,7 +55,7 @@ void run(const VolumesRequest& request) {
     const FittedVolumes volumes = fit_volumes(object.positions);
     check_size(volumes.sphere);
     const gpu::ProgramCache programs;
-    const gpu::ProgramCache* cache = request.no_cache ? nullptr : &programs;
+    const gpu::ProgramCache* cache = request.machine.no_cache ? nullptr : &programs;
     VolumeTester tester(device, sources, cache, volumes,
                         gpu::default_settings(device.facts()).width);
     const LabReport report =
@@ -72,26 +70,20 @@ void run(const VolumesRequest& request) {
 
 } // namespace
 
-void add_volumes_command(CLI::App& app) {
-    const auto request = std::make_shared<VolumesRequest>(); // CLI11 copies its callbacks
-    CLI::App* command = app.add_subcommand(
+void add_volumes_command(Command& root) {
+    const auto request = std::make_shared<VolumesRequest>(); // what runs later is copied
+    Command command = root.add_command(
         "volumes", "Compare bounding volumes and hierarchies of boxes around a scene's triangles");
-    command->add_option("scene", request->scene, "A .gltf, .glb, .obj, .ply or .toml file")
-        ->required()
-        ->type_name("SCENE");
-    command->add_option("--rays", request->rays, "Random lines (262144)")->type_name("N");
-    command
-        ->add_option("--trials", request->trials,
-                     "Also check that no volume rejects a hit, with that many rays, such as 1e8")
-        ->type_name("N");
-    command->add_option("--plot", request->plot, "Write the figures as a picture, .svg")
-        ->type_name("FILE");
-    command->add_option("--device", request->device,
-                        "Device by number or part of its name (see onde devices)");
-    command->add_option("--kernels", request->kernels, "Read kernels from this folder")
-        ->type_name("DIR");
-    command->add_flag("--no-cache", request->no_cache, "Compile kernels anew");
-    command->callback([request] { run(*request); });
+    command.option("scene", &request->scene, "A .gltf, .glb, .obj, .ply or .toml file",
+                   {.value = "SCENE", .required = true});
+    command.option("--rays", &request->rays, "Random lines (262144)", {.value = "N"});
+    command.option("--trials", &request->trials,
+                   "Also check that no volume rejects a hit, with that many rays, such as 1e8",
+                   {.value = "N"});
+    command.option("--plot", &request->plot, "Write the figures as a picture, .svg",
+                   {.value = "FILE"});
+    declare_machine(command, request->machine);
+    command.on_run([request] { run(*request); });
 }
 
 } // namespace onde::app

@@ -1,6 +1,8 @@
 // The real program, run as a user runs it.
 #pragma once
 
+#include "support/test_cache_folder.h"
+
 #include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -139,7 +141,7 @@ class Process {
         const fs::path home = fs::path(ONDE_BINARY).parent_path() / "home-of-app-tests";
         fs::create_directories(home);
         setenv("HOME", home.c_str(), 1);
-        setenv("ONDE_CACHE_DIR", (home / "onde").c_str(), 1);
+        setenv("ONDE_CACHE_DIR", test_cache_folder().c_str(), 1);
         unsetenv("XDG_CACHE_HOME");
         for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
         fs::current_path(folder.path());

@@ -2,12 +2,28 @@
 #include "render/picture.h"
 #include "render/variants.h"
 #include "shared/whitted.h"
+#include "upload/whitted.h"
 
 namespace onde::test {
 namespace {
 
+/// The scene with a material that nothing is made of, for which kernels must know all that Whitted
+/// kernels can know: scenes then share compiled programs. The other programs are tested by
+/// whitted_reference_test.
+Scene with_unused_dispersive_glass(Scene scene) {
+    Material glass;
+    glass.kind = MaterialKind::phong;
+    glass.phong.transmission = 1.0f;
+    glass.phong.abbe = 30.0f;
+    scene.materials.push_back(glass);
+    const PackedWhitted packed = pack_whitted(scene, 1);
+    REQUIRE((packed.translucent && packed.dispersive));
+    return scene;
+}
+
 Scene mirrors_and_glass() {
-    return load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/chapter/five-objects.toml");
+    return with_unused_dispersive_glass(
+        load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/chapter/five-objects.toml"));
 }
 
 RenderOptions whitted_options(const Scene& scene, uint32_t samples) {
@@ -21,7 +37,7 @@ RenderOptions whitted_options(const Scene& scene, uint32_t samples) {
 
 TEST_CASE("every engine, width and launch makes the same ray trees of every scene") {
     for (const auto& path : project_scenes()) {
-        const Scene scene = load_scene(path);
+        const Scene scene = with_unused_dispersive_glass(load_scene(path));
         const DeviceScene placed = place_on_device(scene);
         const RenderOptions options = whitted_options(scene, 2);
         const Picture expected = render_by(scene, placed, apply(options, VARIANTS[0]));

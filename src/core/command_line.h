@@ -1,0 +1,96 @@
+// Commands and their options: declared once, then parsed, checked and listed by --help.
+// Only command_line.cpp sees the library behind it, which takes seconds to compile.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
+
+namespace onde {
+
+/// Where the value of an option goes. It must outlive the parsing; lists take several values.
+using OptionField =
+    std::variant<std::string*, std::filesystem::path*, uint32_t*, float*, double*,
+                 std::optional<uint32_t>*, std::optional<float>*, std::optional<double>*,
+                 std::vector<std::string>*, std::vector<std::filesystem::path>*>;
+
+/// What --help says of a value beside its meaning, and what is refused.
+struct OptionRules {
+    const char* value = nullptr; ///< a word for it, such as FILE; else that of its type
+    bool required = false;
+    bool show_default = false;
+    char delimiter = 0; ///< stands between the values of a list that is one word
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    std::vector<std::string> words = {}; ///< the only ones that are taken, if not empty
+};
+
+/// A handle to a command, which lives as long as its CommandLine.
+class Command {
+  public:
+    explicit Command(CLI::App& app) : app_(&app) {}
+
+    Command add_command(const std::string& name, const std::string& help);
+    /// Without one of its commands, a group of them is wrong.
+    void require_command();
+
+    /// `name` is "--long", "-s,--long", or without dashes that of a word by its position.
+    void option(const std::string& name, OptionField field, const std::string& help,
+                const OptionRules& rules = {});
+    /// True when it is there.
+    void flag(const std::string& name, bool& field, const std::string& help);
+
+    /// An option that takes one of a few words. `words` must outlive the parsing.
+    template <class T, class Field>
+    void choice(const std::string& name, Field& field, const std::map<std::string, T>& words,
+                const std::string& help) {
+        OptionRules rules{.value = "WORD"};
+        for (const auto& [word, value] : words) rules.words.push_back(word);
+        option_function(
+            name, [&field, &words](const std::string& word) { field = words.at(word); }, help,
+            rules);
+    }
+
+    /// What the command does, once everything on the line has been parsed.
+    void on_run(std::function<void()> run);
+
+  private:
+    void option_function(const std::string& name, std::function<void(const std::string&)> take,
+                         const std::string& help, const OptionRules& rules);
+
+    CLI::App* app_;
+};
+
+/// A program's commands, or its options if it has none.
+class CommandLine {
+  public:
+    CommandLine(const std::string& name, const std::string& help, const std::string& version = {});
+    ~CommandLine();
+
+    Command root() { return Command(*app_); }
+
+    /// Parses and runs the command. False when --help or --version was asked for, and printed.
+    /// Throws InputError, one sentence that names what is wrong, and what the command throws.
+    bool run(int argc, char** argv);
+
+  private:
+    std::unique_ptr<CLI::App> app_;
+};
+
+/// The numbers of "640x480" or "3,4"; nothing for any other text.
+std::optional<std::pair<uint32_t, uint32_t>> parse_pair(std::string_view text, char separator);
+
+} // namespace onde

@@ -1,0 +1,86 @@
+// Commands, options and what is said of wrong ones.
+#include "core/command_line.h"
+#include "core/error.h"
+
+#include <catch2/catch.hpp>
+
+namespace onde {
+namespace {
+
+enum class Colour { red, blue };
+
+/// A program with one command, as the words after its name call it.
+struct Program {
+    std::string file;
+    std::optional<uint32_t> count;
+    std::vector<std::string> names;
+    Colour colour = Colour::red;
+    bool quiet = false;
+    int runs = 0;
+
+    bool call(std::vector<std::string> words) {
+        const std::map<std::string, Colour> colours{{"red", Colour::red}, {"blue", Colour::blue}};
+        CommandLine line("program", "It paints.", "1.2");
+        Command root = line.root();
+        root.require_command();
+        Command paint = root.add_command("paint", "Paint a file");
+        paint.option("file", &file, "To paint", {.required = true});
+        paint.option("--count", &count, "How often", {.value = "N", .least = 1, .most = 9});
+        paint.option("--names", &names, "Of painters", {.delimiter = ','});
+        paint.choice("--colour", colour, colours, "Of the paint");
+        paint.flag("--quiet", quiet, "Say nothing");
+        paint.on_run([this] { ++runs; });
+        words.insert(words.begin(), "program");
+        std::vector<char*> argv;
+        for (std::string& word : words) argv.push_back(word.data());
+        return line.run(int(argv.size()), argv.data());
+    }
+};
+
+} // namespace
+
+TEST_CASE("a command runs once, with every option where it belongs") {
+    Program program;
+    CHECK(program.call({"paint", "--names", "a,b", "wall.png", "--count=3", "--colour", "blue"}));
+    CHECK(program.runs == 1);
+    CHECK(program.file == "wall.png");
+    CHECK(program.count == 3u);
+    CHECK(program.names == std::vector<std::string>{"a", "b"});
+    CHECK(program.colour == Colour::blue);
+    CHECK_FALSE(program.quiet);
+}
+
+TEST_CASE("what is wrong with a command line is said in one sentence that names it") {
+    const std::pair<std::vector<std::string>, const char*> wrong[] = {
+        {{}, "subcommand"},
+        {{"pain"}, "pain: no such option or command; see program --help"},
+        {{"paint"}, "file is required; see program paint --help"},
+        {{"paint", "a", "--cuont", "3"}, "--cuont: no such option or command"},
+        {{"paint", "a", "--count", "x"}, "--count = x: not a value that this option takes"},
+        {{"paint", "a", "--count", "10"}, "--count: 10 is out of range; use 1 to 9"},
+        {{"paint", "a", "--count", "nan"}, "--count: nan is out of range"},
+        {{"paint", "a", "--colour", "green"}, "green"}};
+    for (const auto& [words, part] : wrong) {
+        Program program;
+        INFO(part);
+        try {
+            program.call(words);
+            FAIL_CHECK("nothing was said");
+        } catch (const InputError& error) {
+            const std::string sentence = error.what();
+            CHECK_THAT(sentence, Catch::Contains(part) && Catch::EndsWith("--help"));
+            CHECK(sentence.find('\n') == std::string::npos);
+        }
+        CHECK(program.runs == 0);
+    }
+}
+
+TEST_CASE("pairs of numbers") {
+    using Pair = std::pair<uint32_t, uint32_t>;
+    CHECK(parse_pair("640x480", 'x') == Pair{640, 480});
+    CHECK(parse_pair("3,4", ',') == Pair{3, 4});
+    for (const char* text : {"", "3", "3,", ",4", "3,4,5", "-3,4", "3, 4", "3x4", "4294967296,1"})
+        CHECK_FALSE(parse_pair(text, ','));
+}
+
+} // namespace onde

@@ -55,7 +55,8 @@ void check_same_work(const Result& result, const Frame& frame) {
 class Race {
   public:
     Race(const gpu::Device& device, const Scene& scene, const Options& options, uint32_t threads)
-        : device_scene_(device, pack_scene(scene)), native_(scene, options.frame, threads) {
+        : device_scene_(device, pack_scene(scene, {.layout = default_layout(device.facts())})),
+          native_(scene, options.frame, threads) {
         const Camera& camera = scene.cameras.at(0);
         for (const Variant& variant : choose_variants(device.facts(), options.variants)) {
             engines_.push_back(std::make_unique<OndeEngine>(device, device_scene_, camera,

@@ -26,13 +26,7 @@ struct Options {
 std::vector<SetReport> measure(const Model& model, const gpu::Device& device,
                                const gpu::KernelSources& sources, const Options& options) {
     spdlog::info("{}: building trees around {} triangles", model.name, model.triangles.size());
-    const Geometry geometry = model.geometry();
-    const Placement placement;
-    const BvhOptions plain{.builder = options.builder};
-    const BvhOptions tight{.builder = options.builder, .watertight = true};
-    const Bvh tree = build_bvh({&geometry, 1}, {&placement, 1}, plain);
-    const Bvh tight_tree = build_bvh({&geometry, 1}, {&placement, 1}, tight);
-    OndeTracer onde(device, sources, tree), watertight(device, sources, tight_tree);
+    OndeTracers onde(device, sources, model.geometry(), options.builder);
     const EmbreeScene embree(model, RTC_BUILD_QUALITY_HIGH);
     spdlog::info("{}: recording rays", model.name);
     std::vector<SetReport> reports;
@@ -41,7 +35,7 @@ std::vector<SetReport> measure(const Model& model, const gpu::Device& device,
                      set.rays.empty() ? ", left out" : "");
         if (set.rays.empty()) continue;
         reports.push_back({model.name, set.name, model.triangles.size(), set.rays.size(),
-                           race(set, device, embree, onde, watertight, options.race)});
+                           race(set, device, embree, onde, options.race)});
         print_report(reports.back());
     }
     return reports;

@@ -3,6 +3,7 @@
 
 #include "gpu/program.h"
 #include "traversal_rays.h"
+#include "upload/device_tree.h"
 
 namespace onde::bench {
 
@@ -16,12 +17,14 @@ struct DeviceRays {
         : rays(device, set), hits(device, set.size()), blocked(device, set.size()) {}
 };
 
+/// One tree and its kernels.
 class OndeTracer {
   public:
-    /// `tree` must outlive the tracer.
-    OndeTracer(const gpu::Device& device, const gpu::KernelSources& sources, const Bvh& tree);
+    OndeTracer(const gpu::Device& device, const gpu::KernelSources& sources,
+               const Geometry& geometry, const BvhOptions& options);
 
-    /// Each launches one kernel over the set and waits for it.
+    /// Each launches one kernel over the set and waits for it. Packets and streams walk the wide
+    /// layout only.
     void closest(const DeviceRays& set);
     void closest_packet(const DeviceRays& set);
     void occluded(const DeviceRays& set);
@@ -34,12 +37,17 @@ class OndeTracer {
                 const gpu::Buffer<Result>& results);
 
     const gpu::Device& device_;
-    gpu::Buffer<BvhNode> nodes_;
-    gpu::Buffer<TriangleBlock> blocks_;
-    gpu::Buffer<BvhSphere> spheres_;
-    gpu::Buffer<BvhInstance> instances_;
-    uint32_t root_;
+    Bvh bvh_;
+    DeviceTree tree_;
     gpu::Program program_;
+};
+
+/// The trees that take part, from one builder.
+struct OndeTracers {
+    OndeTracer wide, watertight, compressed, binary;
+
+    OndeTracers(const gpu::Device& device, const gpu::KernelSources& sources,
+                const Geometry& geometry, BvhBuilder builder);
 };
 
 } // namespace onde::bench

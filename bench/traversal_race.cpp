@@ -37,8 +37,7 @@ size_t count_mismatches(const std::vector<Answer>& answers, const std::vector<An
 
 class Race {
   public:
-    Race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree, OndeTracer& onde,
-         OndeTracer& watertight)
+    Race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree, OndeTracers& onde)
         : set_(set), device_(device), on_device_(device, set.rays), hits_(set.rays.size()),
           blocked_(set.rays.size()) {
         ask(embree, EMBREE_SINGLE);
@@ -46,11 +45,13 @@ class Race {
         expected_blocked_ = blocked_;
         for (const EmbreeMode& mode : embree_modes(embree)) add(embree, mode);
         const auto single = set.any_hit ? &OndeTracer::occluded : &OndeTracer::closest;
-        add("onde single", Side::onde, onde, single);
-        if (!set.any_hit) add("onde packet", Side::onde, onde, &OndeTracer::closest_packet);
-        add("onde stream", Side::onde, onde,
+        add("onde single", Side::onde, onde.wide, single);
+        if (!set.any_hit) add("onde packet", Side::onde, onde.wide, &OndeTracer::closest_packet);
+        add("onde stream", Side::onde, onde.wide,
             set.any_hit ? &OndeTracer::occluded_stream : &OndeTracer::closest_stream);
-        add("onde watertight single", Side::onde_watertight, watertight, single);
+        add("onde watertight single", Side::onde_watertight, onde.watertight, single);
+        add("onde compressed single", Side::onde, onde.compressed, single);
+        add("onde binary single", Side::onde, onde.binary, single);
     }
 
     std::vector<Timing> run(const RaceOptions& options) {
@@ -114,8 +115,8 @@ class Race {
 } // namespace
 
 std::vector<Timing> race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree,
-                         OndeTracer& onde, OndeTracer& watertight, const RaceOptions& options) {
-    return Race(set, device, embree, onde, watertight).run(options);
+                         OndeTracers& onde, const RaceOptions& options) {
+    return Race(set, device, embree, onde).run(options);
 }
 
 } // namespace onde::bench

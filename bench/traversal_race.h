@@ -21,10 +21,10 @@ struct RaceOptions {
     bool cpu_time = false; ///< processor time instead of wall-clock time
 };
 
-/// Times every mode of Embree's, and both of Onde's trees: closest hits one by one and in packets,
-/// or any hits one by one. The reference is Embree's single ray: a hit differs when t does by more
-/// than 1e-4 of it. `set` is not empty.
+/// Times every mode of Embree's, and Onde's trees: the wide one ray by ray, in packets where those
+/// find closest hits, and in streams; the others ray by ray. The reference is Embree's single ray:
+/// a hit differs when t does by more than 1e-4 of it. `set` is not empty.
 std::vector<Timing> race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree,
-                         OndeTracer& onde, OndeTracer& watertight, const RaceOptions& options);
+                         OndeTracers& onde, const RaceOptions& options);
 
 } // namespace onde::bench

@@ -1,8 +1,11 @@
 // Recorded rays through the tree and nothing else: what the traversal bench times and the traversal
 // tests ask. A ray is 8 floats: origin, t_min, direction, t_max; a hit is 5 words: t, u, v, ids.
-#include "lib/bvh_packet.h"
-#include "lib/bvh_stream_closest.h"
-#include "lib/bvh_stream_occluded.h"
+#include "lib/bvh.h"
+#if ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE
+    #include "lib/bvh_packet.h"
+    #include "lib/bvh_stream_closest.h"
+    #include "lib/bvh_stream_occluded.h"
+#endif
 
 #define BVH_PARAMETERS                                                                             \
     __global const uchar *nodes, __global const uchar *blocks, __global const BvhSphere *spheres,  \
@@ -36,6 +39,7 @@ __kernel void occluded(uint count, BVH_PARAMETERS, __global const float8* rays,
     blocked[i] = bvh_occluded(bvh, ray.s012, ray.s3, ray.s456, ray.s7);
 }
 
+#if ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE
 // Work item i takes rays 16 i to 16 i + 15; the last packet repeats the last ray.
 __kernel void closest_packet(uint count, BVH_PARAMETERS, __global const float* rays,
                              __global float* hits) {
@@ -98,3 +102,4 @@ __kernel void closest_stream(uint count, BVH_PARAMETERS, __global const float* r
     for (uint lane = 0; lane < live; lane++)
         store_hit(hits, first + lane, stream_hit(&found, lane));
 }
+#endif

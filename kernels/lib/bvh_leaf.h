@@ -21,11 +21,17 @@ typedef struct {
 #endif
 } Hit;
 
-// Adds to a counter of the walk, where it counts.
+// A walk's counters, where it counts: variables of their own, as a hit is replaced by closer ones.
 #if ONDE_COUNT_TESTS
+    #define DECLARE_COUNTERS uint boxes = 0, primitives = 0;
     #define COUNT_TESTS(counter, amount) counter += (amount)
+    #define STORE_COUNTERS(hit)                                                                    \
+        hit.boxes = boxes;                                                                         \
+        hit.primitives = primitives;
 #else
+    #define DECLARE_COUNTERS
     #define COUNT_TESTS(counter, amount)
+    #define STORE_COUNTERS(hit)
 #endif
 
 // Among hits at the same distance the smallest ids win, whatever the order in which they are found.

@@ -4,7 +4,7 @@
 #ifndef ONDE_LIB_BVH_PACKET_H
 #define ONDE_LIB_BVH_PACKET_H
 
-#include "lib/bvh.h"
+#include "lib/bvh_wide.h"
 
 #if ONDE_INSTANCES
 

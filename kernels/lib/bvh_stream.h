@@ -6,7 +6,7 @@
 #ifndef ONDE_LIB_BVH_STREAM_H
 #define ONDE_LIB_BVH_STREAM_H
 
-#include "lib/bvh.h"
+#include "lib/bvh_wide.h"
 
 #define STREAM_WIDTH 16
 

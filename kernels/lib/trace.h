@@ -3,20 +3,28 @@
 #ifndef ONDE_LIB_TRACE_H
 #define ONDE_LIB_TRACE_H
 
-#include "lib/bvh_packet.h"
-#include "lib/bvh_stream_closest.h"
-#include "lib/bvh_stream_occluded.h"
+#include "lib/bvh.h"
 #include "lib/surface.h"
+#if ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE
+    #include "lib/bvh_packet.h"
+    #include "lib/bvh_stream_closest.h"
+    #include "lib/bvh_stream_occluded.h"
+#endif
 
-// Whether primary rays go through the tree as packets of 16; needs ONDE_WIDTH 16.
+// Whether primary rays go through the tree as packets of 16; needs ONDE_WIDTH 16 and the wide
+// layout.
 #ifndef ONDE_PRIMARY_PACKETS
+    #define ONDE_PRIMARY_PACKETS 0
+#endif
+#if ONDE_BVH_LAYOUT != BVH_LAYOUT_WIDE
+    #undef ONDE_PRIMARY_PACKETS
     #define ONDE_PRIMARY_PACKETS 0
 #endif
 
 // Whether rays of several lanes may walk in company, and the bounces from the camera that do;
 // shadow rays then always do.
 #ifndef ONDE_STREAMS
-    #define ONDE_STREAMS (ONDE_CPU && ONDE_WIDTH > 1)
+    #define ONDE_STREAMS (ONDE_CPU && ONDE_WIDTH > 1 && ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE)
 #endif
 #ifndef ONDE_STREAM_BOUNCES
     #define ONDE_STREAM_BOUNCES 2

@@ -1,6 +1,7 @@
 // Rays against triangles: Moeller and Trumbore, "Fast, minimum storage ray/triangle intersection",
-// 1997, in two widths with one arithmetic: 8 triangles against a ray, or 16 rays against a
-// triangle. Both round alike, lane by lane, so that no answer depends on which of them was asked.
+// 1997, in three widths with one arithmetic: 8 triangles against a ray, 16 rays against a
+// triangle, or one and one. All round alike, lane by lane, so that no answer depends on which of
+// them was asked.
 #ifndef ONDE_LIB_TRIANGLE_H
 #define ONDE_LIB_TRIANGLE_H
 
@@ -57,6 +58,13 @@
                (test.t <= test.determinant * (t_max * (1.0f + TRIANGLE_SLACK)));                   \
     }
 
+// Scalars as vectors of one; their comparisons give 1 where those of vectors give -1.
+typedef float float1;
+typedef int int1;
+#define as_float1 as_float
+#define as_int1 as_int
+
+DEFINE_TRIANGLES(1)
 DEFINE_TRIANGLES(8)
 DEFINE_TRIANGLES(16)
 

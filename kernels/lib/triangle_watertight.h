@@ -63,14 +63,17 @@
         return test;                                                                               \
     }
 
+DEFINE_WATERTIGHT(1)
 DEFINE_WATERTIGHT(8)
 DEFINE_WATERTIGHT(16)
 
 // The test that the tree's leaf blocks are made for.
 #if ONDE_WATERTIGHT
+    #define leaf_test1 test_watertight1
     #define leaf_test8 test_watertight8
     #define leaf_test16 test_watertight16
 #else
+    #define leaf_test1 test_triangles1
     #define leaf_test8 test_triangles8
     #define leaf_test16 test_triangles16
 #endif

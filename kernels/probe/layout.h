@@ -81,6 +81,35 @@
     OFFSET(TriangleBlock, e2_y)                                                                    \
     OFFSET(TriangleBlock, e2_z)                                                                    \
     OFFSET(TriangleBlock, primitive)                                                               \
+    SIZE(BvhCompressed)                                                                            \
+    OFFSET(BvhCompressed, origin)                                                                  \
+    OFFSET(BvhCompressed, exponent)                                                                \
+    OFFSET(BvhCompressed, inner)                                                                   \
+    OFFSET(BvhCompressed, child)                                                                   \
+    OFFSET(BvhCompressed, slot)                                                                    \
+    OFFSET(BvhCompressed, leaf)                                                                    \
+    OFFSET(BvhCompressed, low_x)                                                                   \
+    OFFSET(BvhCompressed, high_x)                                                                  \
+    OFFSET(BvhCompressed, low_y)                                                                   \
+    OFFSET(BvhCompressed, high_y)                                                                  \
+    OFFSET(BvhCompressed, low_z)                                                                   \
+    OFFSET(BvhCompressed, high_z)                                                                  \
+    SIZE(BvhPair)                                                                                  \
+    OFFSET(BvhPair, low_x)                                                                         \
+    OFFSET(BvhPair, high_x)                                                                        \
+    OFFSET(BvhPair, low_y)                                                                         \
+    OFFSET(BvhPair, high_y)                                                                        \
+    OFFSET(BvhPair, low_z)                                                                         \
+    OFFSET(BvhPair, high_z)                                                                        \
+    OFFSET(BvhPair, child)                                                                         \
+    OFFSET(BvhPair, unused)                                                                        \
+    SIZE(BvhSlot)                                                                                  \
+    OFFSET(BvhSlot, v0)                                                                            \
+    OFFSET(BvhSlot, kind)                                                                          \
+    OFFSET(BvhSlot, e1)                                                                            \
+    OFFSET(BvhSlot, primitive)                                                                     \
+    OFFSET(BvhSlot, e2)                                                                            \
+    OFFSET(BvhSlot, unused)                                                                        \
     SIZE(BvhSphere)                                                                                \
     OFFSET(BvhSphere, center)                                                                      \
     OFFSET(BvhSphere, radius)                                                                      \

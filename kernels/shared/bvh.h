@@ -1,8 +1,13 @@
-// The acceleration structure as it lies in device memory. Plain data for C++ and OpenCL C alike.
+// The acceleration structure as it lies in device memory, in one of three layouts: wide for the
+// vectors of CPUs, compressed and binary for GPUs. Plain data for C++ and OpenCL C alike.
 #ifndef ONDE_SHARED_BVH_H
 #define ONDE_SHARED_BVH_H
 
 #include "shared/types.h"
+
+#define BVH_LAYOUT_WIDE 0       // BvhNode and TriangleBlock
+#define BVH_LAYOUT_COMPRESSED 1 // BvhCompressed and BvhSlot
+#define BVH_LAYOUT_BINARY 2     // BvhPair and BvhSlot
 
 #define BVH_WIDTH 16         // children of a node
 #define BVH_LEAF_WIDTH 8     // triangles of a leaf block
@@ -38,6 +43,51 @@ typedef struct {
     float e2_x[BVH_LEAF_WIDTH], e2_y[BVH_LEAF_WIDTH], e2_z[BVH_LEAF_WIDTH];
     uint primitive[BVH_LEAF_WIDTH];
 } TriangleBlock;
+
+#define COMPRESSED_WIDTH 8 // children of a compressed node
+#define COMPRESSED_LEAF 3  // slots of a leaf below one
+#define BINARY_LEAF 4      // slots of a leaf in the binary layout
+
+// 80 bytes: a node in the manner of Ylitie, Karras and Laine, "Efficient incoherent ray traversal
+// on GPUs through compressed wide BVHs", 2017. Plane q of an axis lies at origin + q 2^(exponent -
+// 127); child boxes are rounded outward. Bit a of a slot's number says whether the child lies
+// toward the high end of axis a, as far as that can be: a ray visits the slots in the order of
+// their number xor the signs of its direction.
+typedef struct {
+    float origin[3];
+    uchar exponent[3];
+    uchar inner; // a bit for each slot that holds a node
+    uint child;  // index of the first of those nodes; the others follow in the order of their slots
+    uint slot;   // index of the first of the BvhSlots of all leaves below
+    uchar leaf[COMPRESSED_WIDTH]; // of a leaf: count << 5 | first BvhSlot, from `slot`; else 0
+    uchar low_x[COMPRESSED_WIDTH], high_x[COMPRESSED_WIDTH];
+    uchar low_y[COMPRESSED_WIDTH], high_y[COMPRESSED_WIDTH];
+    uchar low_z[COMPRESSED_WIDTH], high_z[COMPRESSED_WIDTH];
+} BvhCompressed;
+
+// 64 bytes: a node of the binary layout, with the boxes of both children. A child word is the index
+// of a BvhPair; or of a leaf BVH_LEAF | (count - 1) << 29 | first BvhSlot; or of none, whose box is
+// never entered, BVH_NONE.
+typedef struct {
+    float low_x[2], high_x[2];
+    float low_y[2], high_y[2];
+    float low_z[2], high_z[2];
+    uint child[2];
+    uint unused[2];
+} BvhPair;
+
+#define BINARY_COUNT_SHIFT 29
+
+// 48 bytes: what a leaf of the compressed or binary layout holds; `kind` is that of a child word. A
+// triangle as in TriangleBlock; of anything else, `primitive` is its index in its own array.
+typedef struct {
+    float v0[3];
+    uint kind;
+    float e1[3];
+    uint primitive;
+    float e2[3];
+    uint unused;
+} BvhSlot;
 
 #define SHAPE_ELLIPSOID 0u
 #define SHAPE_DISK 1u

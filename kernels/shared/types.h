@@ -1,4 +1,4 @@
-// The scalar types that shared structs may use: float, int, uint. Nothing with padding, no
+// The scalar types that shared structs may use: float, int, uint, uchar. Nothing with padding, no
 // pointers.
 #ifndef ONDE_SHARED_TYPES_H
 #define ONDE_SHARED_TYPES_H
@@ -6,6 +6,7 @@
 #ifdef __cplusplus
     #include <cstdint>
 using uint = std::uint32_t;
+using uchar = std::uint8_t;
 #endif
 
 #endif

@@ -13,7 +13,7 @@ class BinaryBuilder {
   public:
     BinaryBuilder(BinaryTree& tree, const BvhOptions& options)
         : tree_(tree), max_bins_(std::clamp(options.bins, 2u, MAX_BINS)),
-          parallel_(options.parallel) {}
+          leaf_triangles_(shape_of(options.layout).leaf_triangles), parallel_(options.parallel) {}
 
     void build() {
         const auto count = uint32_t(tree_.references.size());
@@ -41,9 +41,9 @@ class BinaryBuilder {
             [&] { build_node(child + 1, begin + left, count - left, sides[1]); });
     }
 
-    static bool fits_leaf(std::span<const Reference> references) {
+    bool fits_leaf(std::span<const Reference> references) const {
         if (references.size() == 1) return true;
-        return references.size() <= BVH_LEAF_WIDTH &&
+        return references.size() <= leaf_triangles_ &&
                std::ranges::none_of(references, &Reference::is_single);
     }
 
@@ -60,7 +60,7 @@ class BinaryBuilder {
 
     BinaryTree& tree_;
     std::atomic<uint32_t> next_{1};
-    uint32_t max_bins_;
+    uint32_t max_bins_, leaf_triangles_;
     bool parallel_;
 };
 

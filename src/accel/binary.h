@@ -33,7 +33,26 @@ struct BinaryTree {
     bool is_single(const BinaryNode& leaf) const { return references[leaf.begin].is_single(); }
 };
 
-/// Splits the references top-down until every leaf fits a TriangleBlock or is a single.
+/// What the nodes and leaves of a layout hold.
+struct TreeShape {
+    uint32_t width;          ///< children of a node
+    uint32_t leaf_triangles; ///< of a leaf
+    bool root_is_node;       ///< even of a tree that is a single leaf
+};
+
+inline TreeShape shape_of(BvhLayout layout) {
+    switch (layout) {
+    case BvhLayout::compressed:
+        return {COMPRESSED_WIDTH, COMPRESSED_LEAF, true};
+    case BvhLayout::binary:
+        return {2, BINARY_LEAF, true};
+    case BvhLayout::wide:
+        break;
+    }
+    return {BVH_WIDTH, BVH_LEAF_WIDTH, false};
+}
+
+/// Splits the references top-down until every leaf fits the layout or is a single.
 BinaryTree build_binary(std::vector<Reference> references, const BvhOptions& options);
 
 /// The same with spatial splits where those are cheaper, so that a triangle may be in several

@@ -25,7 +25,7 @@ class SpatialBinaryBuilder {
     SpatialBinaryBuilder(BinaryTree& tree, std::span<const Geometry> geometries,
                          const BvhOptions& options)
         : tree_(tree), geometries_(geometries), max_bins_(std::clamp(options.bins, 2u, MAX_BINS)),
-          parallel_(options.parallel) {}
+          leaf_triangles_(shape_of(options.layout).leaf_triangles), parallel_(options.parallel) {}
 
     void build(uint32_t count) {
         const auto room = uint32_t(tree_.references.size()) - count;
@@ -56,9 +56,9 @@ class SpatialBinaryBuilder {
             [&] { build_node(child + 1, parts[1], sides.extents[1]); });
     }
 
-    static bool fits_leaf(std::span<const Reference> references) {
+    bool fits_leaf(std::span<const Reference> references) const {
         if (references.size() == 1) return true;
-        return references.size() <= BVH_LEAF_WIDTH &&
+        return references.size() <= leaf_triangles_ &&
                std::ranges::none_of(references, &Reference::is_single);
     }
 
@@ -107,8 +107,8 @@ class SpatialBinaryBuilder {
     }
 
     /// Room goes where rays are expected to spend their time; a leaf needs none.
-    static double need(const SpatialSides& sides, int side) {
-        if (sides.counts[side] <= BVH_LEAF_WIDTH) return 0;
+    double need(const SpatialSides& sides, int side) const {
+        if (sides.counts[side] <= leaf_triangles_) return 0;
         return double(sides.counts[side]) * half_area(sides.extents[side].box);
     }
 
@@ -117,7 +117,7 @@ class SpatialBinaryBuilder {
     BinaryTree& tree_;
     std::span<const Geometry> geometries_;
     std::atomic<uint32_t> next_{1};
-    uint32_t max_bins_;
+    uint32_t max_bins_, leaf_triangles_;
     float least_overlap_ = 0;
     bool parallel_;
 };

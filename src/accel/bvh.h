@@ -53,14 +53,22 @@ enum class BvhBuilder {
     none,           ///< not at all: a list of blocks whose boxes exclude nothing
 };
 
+/// How a tree lies in device memory; see shared/bvh.h.
+enum class BvhLayout : uint32_t {
+    wide = BVH_LAYOUT_WIDE,             ///< 16 children a node, 8 triangles a leaf: for CPUs
+    compressed = BVH_LAYOUT_COMPRESSED, ///< 8 children in 80 bytes: for GPUs
+    binary = BVH_LAYOUT_BINARY,         ///< 2 children: the plainest for GPUs
+};
+
 struct BvhOptions {
     BvhBuilder builder = BvhBuilder::sah;
-    bool watertight = false;       ///< leaf blocks hold corners, not edges; see TriangleBlock
-    uint32_t bins = 32;            ///< of the surface-area heuristic, per axis
-    float traversal_cost = 1.0f;   ///< of entering a wide node
-    float leaf_cost = 1.0f;        ///< of testing one leaf block or sphere
-    float extra_references = 0.3f; ///< at most, as part of the primitives, that `high` may add
-    bool parallel = true;          ///< the result is the same either way
+    BvhLayout layout = BvhLayout::wide; ///< that the tree is shaped for; see narrow_bvh()
+    bool watertight = false;            ///< leaf blocks hold corners, not edges; see TriangleBlock
+    uint32_t bins = 32;                 ///< of the surface-area heuristic, per axis
+    float traversal_cost = 1.0f;        ///< of entering a wide node
+    float leaf_cost = 1.0f;             ///< of testing one leaf block or sphere
+    float extra_references = 0.3f;      ///< at most, as part of the primitives, that `high` may add
+    bool parallel = true;               ///< the result is the same either way
 };
 
 struct BvhStatistics {
@@ -76,8 +84,12 @@ struct BvhStatistics {
 
 /// The tree of one world. Placement i becomes instances[i] unless it is hung directly.
 struct Bvh {
+    BvhLayout layout = BvhLayout::wide; ///< of the nodes and leaves, some of which are empty
     AlignedVector<BvhNode> nodes;
     AlignedVector<TriangleBlock> blocks;
+    AlignedVector<BvhCompressed> compressed;
+    AlignedVector<BvhPair> pairs;
+    AlignedVector<BvhSlot> slots;
     AlignedVector<BvhSphere> spheres;
     AlignedVector<BvhInstance> instances;
     uint32_t root = 0;          ///< child word
@@ -98,8 +110,13 @@ struct Bvh {
 Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> placements,
               const BvhOptions& options = {});
 
-/// Checks every invariant of the layout (bounds contain children, each primitive present, once or
-/// in parts that cover it, indices in range, stack_size sufficient, ids ascending in blocks); an
+/// Moves a wide tree that is shaped for a narrow layout (children of a node, triangles of a leaf, a
+/// root that is a node) into that layout; a tree of layout `wide` stays as it is. Boxes only grow,
+/// and every walk finds the same hits. Throws InputError beyond 2^29 primitives.
+void narrow_bvh(Bvh& bvh, BvhLayout layout);
+
+/// Checks every invariant of the wide layout (bounds contain children, each primitive present, once
+/// or in parts that cover it, indices in range, stack_size sufficient, ids ascending in blocks); an
 /// empty string, or the first violation.
 std::string validate_bvh(const Bvh& bvh, std::span<const Geometry> geometries,
                          std::span<const Placement> placements);

@@ -7,7 +7,8 @@
 namespace onde::accel {
 
 Collapse::Collapse(BinaryTree tree, const BvhOptions& options)
-    : tree_(std::move(tree)), options_(options), shares_(tree_.node_count) {
+    : tree_(std::move(tree)), options_(options), width_(shape_of(options.layout).width),
+      shares_(tree_.node_count) {
     // Without a plan every node keeps its two children.
     const bool plain =
         options.builder == BvhBuilder::median || options.builder == BvhBuilder::median_spatial;
@@ -32,7 +33,7 @@ Collapse::Costs Collapse::plan(uint32_t index) {
 
     Costs costs;
     Shares& shares = shares_[index];
-    for (uint32_t slots = 2; slots <= BVH_WIDTH; ++slots) {
+    for (uint32_t slots = 2; slots <= width_; ++slots) {
         costs[slots] = left[1] + right[slots - 1];
         shares[slots] = 1;
         for (uint32_t share = 2; share < slots; ++share) {
@@ -43,9 +44,9 @@ Collapse::Costs Collapse::plan(uint32_t index) {
             }
         }
     }
-    costs[1] = half_area(node.box()) * options_.traversal_cost + costs[BVH_WIDTH];
+    costs[1] = half_area(node.box()) * options_.traversal_cost + costs[width_];
     shares[1] = 0;
-    for (uint32_t slots = 2; slots < BVH_WIDTH; ++slots) {
+    for (uint32_t slots = 2; slots < width_; ++slots) {
         if (costs[slots] <= costs[1]) continue;
         costs[slots] = costs[1];
         shares[slots] = 0;
@@ -55,9 +56,9 @@ Collapse::Costs Collapse::plan(uint32_t index) {
 
 ChildList Collapse::children(uint32_t node) const {
     ChildList list;
-    const uint32_t left = tree_.nodes[node].first_child, share = shares_[node][BVH_WIDTH];
+    const uint32_t left = tree_.nodes[node].first_child, share = shares_[node][width_];
     spread(left, share, list);
-    spread(left + 1, BVH_WIDTH - share, list);
+    spread(left + 1, width_ - share, list);
     const auto larger = [&](uint32_t a, uint32_t b) {
         return half_area(tree_.nodes[a].box()) > half_area(tree_.nodes[b].box());
     };

@@ -43,6 +43,7 @@ class Collapse {
 
     BinaryTree tree_;
     BvhOptions options_;
+    uint32_t width_; ///< children of a node
     std::vector<Shares> shares_;
 };
 

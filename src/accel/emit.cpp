@@ -36,15 +36,24 @@ class Emitter {
         : wide_(wide), tree_(wide.collapse_.tree()), geometries_(geometries), out_(out) {}
 
     uint32_t emit_root(WidePlace place) const {
-        if (!tree_.is_empty() && tree_.nodes[0].is_leaf()) return emit_leaf(tree_.nodes[0], place);
         if (tree_.is_empty())
             out_.nodes[place.node] = empty_node();
-        else
+        else if (!tree_.nodes[0].is_leaf())
             emit_node(0, place);
+        else if (wide_.root_is_node_)
+            emit_only_leaf(place);
+        else
+            return emit_leaf(tree_.nodes[0], place);
         return place.node;
     }
 
   private:
+    /// A node above the leaf that is the whole tree.
+    void emit_only_leaf(WidePlace place) const {
+        BvhNode& node = out_.nodes[place.node++] = empty_node();
+        set_slot(node, 0, padded(tree_.nodes[0].box()), emit_leaf(tree_.nodes[0], place));
+    }
+
     /// Preorder: a node's own leaves lie side by side, then come its inner children one by one.
     void emit_node(uint32_t index, WidePlace place) const {
         const ChildList children = wide_.collapse_.children(index);

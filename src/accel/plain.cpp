@@ -41,14 +41,14 @@ void build_runs(PlainBuilder& builder, uint32_t node, std::span<const Reference>
     build_runs(builder, child + 1, references, ends.subspan(half), ends[half - 1]);
 }
 
-std::vector<uint32_t> leaf_ends(std::span<const Reference> references) {
+std::vector<uint32_t> leaf_ends(std::span<const Reference> references, uint32_t leaf_triangles) {
     std::vector<uint32_t> ends;
     uint32_t filled = 0;
     for (uint32_t i = 0; i < references.size(); ++i) {
         const bool single = references[i].is_single();
-        const bool new_leaf = filled == 0 || single || filled == BVH_LEAF_WIDTH;
+        const bool new_leaf = filled == 0 || single || filled == leaf_triangles;
         if (new_leaf && i > 0) ends.push_back(i);
-        filled = single ? BVH_LEAF_WIDTH : new_leaf ? 1 : filled + 1;
+        filled = single ? leaf_triangles : new_leaf ? 1 : filled + 1;
     }
     ends.push_back(uint32_t(references.size()));
     return ends;
@@ -63,10 +63,10 @@ BinaryTree build_median(std::vector<Reference> references) {
     return builder.take();
 }
 
-BinaryTree build_list(std::vector<Reference> references) {
+BinaryTree build_list(std::vector<Reference> references, uint32_t leaf_triangles) {
     if (references.empty()) return {};
     PlainBuilder builder;
-    build_runs(builder, 0, references, leaf_ends(references), 0);
+    build_runs(builder, 0, references, leaf_ends(references, leaf_triangles), 0);
     return builder.take();
 }
 

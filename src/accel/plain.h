@@ -14,7 +14,8 @@ BinaryTree build_median(std::vector<Reference> references);
 BinaryTree build_median_spatial(std::vector<Reference> references,
                                 std::span<const Geometry> geometries);
 
-/// Leaf blocks in the order of the references, under boxes so large that no ray misses them.
-BinaryTree build_list(std::vector<Reference> references);
+/// Leaves of so many triangles in the order of the references, under boxes so large that no ray
+/// misses them.
+BinaryTree build_list(std::vector<Reference> references, uint32_t leaf_triangles);
 
 } // namespace onde::accel

@@ -20,7 +20,7 @@ BinaryTree split_tree(std::vector<Reference> references, std::span<const Geometr
     case BvhBuilder::median_spatial:
         return build_median_spatial(std::move(references), geometries);
     case BvhBuilder::none:
-        return build_list(std::move(references));
+        return build_list(std::move(references), shape_of(options.layout).leaf_triangles);
     case BvhBuilder::high:
         return build_binary_spatial(std::move(references), geometries, options);
     case BvhBuilder::sah:
@@ -34,17 +34,21 @@ BinaryTree split_tree(std::vector<Reference> references, std::span<const Geometr
 WideTree::WideTree(std::vector<Reference> references, std::span<const WideSize> instances,
                    std::span<const Geometry> geometries, const BvhOptions& options)
     : collapse_(split_tree(std::move(references), geometries, options), options),
-      parallel_(options.parallel), sizes_(collapse_.tree().node_count) {
-    const BinaryTree& tree = collapse_.tree();
-    if (tree.is_empty())
-        root_size_ = {.nodes = 1, .depth = 1};
-    else
-        root_size_ = tree.nodes[0].is_leaf() ? measure_leaf(tree.nodes[0], instances)
-                                             : measure(0, instances);
-}
+      parallel_(options.parallel), root_is_node_(shape_of(options.layout).root_is_node),
+      sizes_(collapse_.tree().node_count), root_size_(measure_root(instances)) {}
 
 Box WideTree::box() const {
     return collapse_.tree().is_empty() ? Box{} : collapse_.tree().nodes[0].box();
+}
+
+WideSize WideTree::measure_root(std::span<const WideSize> instances) {
+    const BinaryTree& tree = collapse_.tree();
+    if (tree.is_empty()) return {.nodes = 1, .depth = 1};
+    if (!tree.nodes[0].is_leaf()) return measure(0, instances);
+    WideSize size = measure_leaf(tree.nodes[0], instances);
+    size.nodes += root_is_node_;
+    size.depth += root_is_node_;
+    return size;
 }
 
 WideSize WideTree::measure_leaf(const BinaryNode& leaf, std::span<const WideSize> instances) const {

@@ -41,11 +41,12 @@ class WideTree {
     uint32_t emit(std::span<const Geometry> geometries, const WidePlace& place, Bvh& out) const;
 
   private:
+    WideSize measure_root(std::span<const WideSize> instances);
     WideSize measure(uint32_t node, std::span<const WideSize> instances);
     WideSize measure_leaf(const BinaryNode& leaf, std::span<const WideSize> instances) const;
 
     Collapse collapse_;
-    bool parallel_;
+    bool parallel_, root_is_node_;
     std::vector<WideSize> sizes_; ///< of the binary nodes that became wide ones
     WideSize root_size_;
 

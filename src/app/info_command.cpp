@@ -83,7 +83,7 @@ DeviceMemory plan_device_memory(const Scene& scene) {
     const gpu::DeviceFacts facts = default_device();
     DeviceMemory memory{facts.name, resolve_options({}, scene, facts), {}};
     memory.plan = plan_memory(memory.options);
-    memory.plan.scene = pack_scene(scene).device_buffers();
+    memory.plan.scene = pack_scene(scene, resolve_tree({}, facts)).device_buffers();
     return memory;
 }
 

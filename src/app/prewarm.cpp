@@ -55,6 +55,10 @@ class Prewarmer {
             throw InputError("there is no folder for compiled kernels; set ONDE_CACHE_DIR");
     }
 
+    PackedScene pack(const Scene& scene) const {
+        return pack_scene(scene, resolve_tree({}, device_.facts()));
+    }
+
     void compile(const std::string& name, const Scene& scene, PackedScene packed) const {
         const RenderOptions options = resolve_options({}, scene, device_.facts());
         const DeviceScene device_scene(device_, std::move(packed));
@@ -78,14 +82,15 @@ void prewarm(const std::vector<std::string>& scenes, const std::string& device) 
     const Prewarmer prewarmer(device);
     for (const std::string& path : scenes) {
         const Scene scene = load_scene(path);
-        prewarmer.compile(path, scene, pack_scene(scene));
+        prewarmer.compile(path, scene, prewarmer.pack(scene));
     }
     if (!scenes.empty()) return;
     const Scene scene = one_rectangle();
-    const PackedScene packed = pack_scene(scene);
+    const PackedScene packed = prewarmer.pack(scene);
     for (const Kind& kind : common_kinds()) {
         PackedScene as_kind = packed;
         as_kind.features = kind.features;
+        as_kind.features.layout = packed.features.layout;
         prewarmer.compile(kind.name, scene, std::move(as_kind));
     }
 }

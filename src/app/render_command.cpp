@@ -104,7 +104,7 @@ bool run(const RenderRequest& request) {
     check_memory(plan, device.facts());
 
     const Timer packing;
-    PackedScene packed = pack_scene(scene, request.bvh);
+    PackedScene packed = pack_scene(scene, resolve_tree(request, device.facts()));
     plan.scene = packed.device_buffers();
     check_memory(plan, device.facts());
     const DeviceScene device_scene(device, std::move(packed));

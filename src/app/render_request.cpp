@@ -5,6 +5,7 @@
 #include "core/log.h"
 #include "render/frame.h"
 #include "scene/load.h"
+#include "upload/device_tree.h"
 
 #include <fmt/ranges.h>
 
@@ -36,6 +37,9 @@ const std::map<std::string, BvhBuilder> BUILDERS{{"sah", BvhBuilder::sah},
                                                  {"median", BvhBuilder::median},
                                                  {"median-spatial", BvhBuilder::median_spatial},
                                                  {"none", BvhBuilder::none}};
+const std::map<std::string, BvhLayout> LAYOUTS{{"wide", BvhLayout::wide},
+                                               {"compressed", BvhLayout::compressed},
+                                               {"binary", BvhLayout::binary}};
 const std::map<std::string, bool> AOVS{{"tests", true}};
 const std::map<std::string, bool> SWITCH{{"on", true}, {"off", false}};
 const std::map<std::string, Filter> FILTERS{{"box", Filter::box},
@@ -101,6 +105,8 @@ void declare_estimator(Command& command, RenderRequest& r) {
     command.choice("--bvh", r.bvh.builder, BUILDERS,
                    "Tree of boxes: fast to build (sah), fast to walk (high), or a plain one to "
                    "compare with");
+    command.choice("--layout", r.layout, LAYOUTS,
+                   "How the tree lies in memory (wide on CPUs, compressed on GPUs)");
     command.flag("--watertight", r.bvh.watertight,
                  "Let no ray slip between triangles that share an edge or a corner");
 }
@@ -223,6 +229,12 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
     options.settings = gpu::default_settings(facts);
     resolve_settings(request, options.settings);
     check_options(options);
+    return options;
+}
+
+BvhOptions resolve_tree(const RenderRequest& request, const gpu::DeviceFacts& facts) {
+    BvhOptions options = request.bvh;
+    options.layout = request.layout.value_or(default_layout(facts));
     return options;
 }
 

@@ -35,6 +35,7 @@ struct RenderRequest {
     std::optional<bool> packets;
     std::optional<Filter> filter;
     BvhOptions bvh;
+    std::optional<BvhLayout> layout;
     std::string camera, environment;
     MachineRequest machine;
     float environment_rotation = 0.0f;
@@ -62,6 +63,9 @@ void check_request(const RenderRequest& request);
 /// The request over the scene's own settings over the defaults. Throws InputError.
 RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
                               const gpu::DeviceFacts& facts);
+
+/// How the tree is built and laid out for the device.
+BvhOptions resolve_tree(const RenderRequest& request, const gpu::DeviceFacts& facts);
 
 /// The word of `--integrator`.
 const std::string& integrator_name(IntegratorKind kind);

@@ -1,6 +1,7 @@
 #include "lab/hierarchy.h"
 
 #include "core/timer.h"
+#include "upload/device_tree.h"
 
 #include <algorithm>
 
@@ -34,26 +35,20 @@ std::vector<std::string> defines(const Bvh& bvh) {
 class TreeOnDevice {
   public:
     TreeOnDevice(const gpu::Device& device, const Bvh& bvh, std::span<const VolumeRay> rays)
-        : device_(device), nodes_(gpu::Buffer<BvhNode>::in_place(device, bvh.nodes)),
-          blocks_(gpu::Buffer<TriangleBlock>::in_place(device, bvh.blocks)), spheres_(device, 1),
-          instances_(device, 1), root_(bvh.root), count_(rays.size()),
+        : device_(device), tree_(device, bvh), count_(rays.size()),
           rays_(device, std::span<const TracedRay>(traced(rays))) {}
 
     template <class T>
     void trace(gpu::Kernel& kernel, const gpu::Buffer<T>& results) const {
-        kernel.set_from(0, uint32_t(count_), nodes_, blocks_, spheres_, instances_, root_, rays_,
-                        results);
+        kernel.set_from(0, uint32_t(count_));
+        kernel.set_from(tree_.bind(kernel, 1), rays_, results);
         kernel.launch(count_);
         device_.finish();
     }
 
   private:
     const gpu::Device& device_;
-    gpu::Buffer<BvhNode> nodes_;
-    gpu::Buffer<TriangleBlock> blocks_;
-    gpu::Buffer<BvhSphere> spheres_;
-    gpu::Buffer<BvhInstance> instances_;
-    uint32_t root_;
+    DeviceTree tree_;
     size_t count_;
     gpu::Buffer<TracedRay> rays_;
 };

@@ -1,6 +1,7 @@
 #include "lab/leak_trials.h"
 
 #include "core/timer.h"
+#include "upload/device_tree.h"
 
 #include <cmath>
 #include <map>
@@ -63,10 +64,7 @@ LeakTrials count_leaks(const gpu::Device& device, const gpu::KernelSources& sour
     gpu::Program program =
         gpu::build_program(device, sources, request(bvh, std::min(items, MOST_ITEMS)), nullptr);
 
-    const auto nodes = gpu::Buffer<BvhNode>::in_place(device, bvh.nodes);
-    const auto blocks = gpu::Buffer<TriangleBlock>::in_place(device, bvh.blocks);
-    const gpu::Buffer<BvhSphere> spheres(device, 1);
-    const gpu::Buffer<BvhInstance> instances(device, 1);
+    const DeviceTree tree(device, bvh);
     const gpu::Buffer<glm::vec3> positions(device, std::span<const glm::vec3>(ball.positions));
     const gpu::Buffer<glm::uvec3> triangles(device, std::span<const glm::uvec3>(ball.triangles));
     const gpu::Buffer<uint32_t> leaks(device, MOST_ITEMS);
@@ -76,9 +74,9 @@ LeakTrials count_leaks(const gpu::Device& device, const gpu::KernelSources& sour
     const Timer timer;
     for (uint64_t first = 0; first < items; first += MOST_ITEMS) {
         const auto count = uint32_t(std::min(MOST_ITEMS, items - first));
-        kernel.set_from(0, count, nodes, blocks, spheres, instances, bvh.root, positions, triangles,
-                        uint32_t(ball.triangles.size()), inside.x, inside.y, inside.z,
-                        uint32_t(first), leaks);
+        kernel.set_from(0, count);
+        kernel.set_from(tree.bind(kernel, 1), positions, triangles, uint32_t(ball.triangles.size()),
+                        inside.x, inside.y, inside.z, uint32_t(first), leaks);
         kernel.launch(count);
         const std::vector<uint32_t> counts = leaks.read(device, 0, count);
         trials.leaks += std::accumulate(counts.begin(), counts.end(), uint64_t(0));

@@ -8,10 +8,7 @@ static gpu::Buffer<T> copy(const gpu::Device& device, const std::vector<T>& v) {
 }
 
 DeviceScene::DeviceScene(const gpu::Device& device, PackedScene packed)
-    : packed_(std::move(packed)), nodes_(gpu::Buffer<BvhNode>::in_place(device, packed_.bvh.nodes)),
-      blocks_(gpu::Buffer<TriangleBlock>::in_place(device, packed_.bvh.blocks)),
-      spheres_(gpu::Buffer<BvhSphere>::in_place(device, packed_.bvh.spheres)),
-      instances_(gpu::Buffer<BvhInstance>::in_place(device, packed_.bvh.instances)),
+    : packed_(std::move(packed)), tree_(device, packed_.bvh),
       surfaces_(copy(device, packed_.surfaces)), materials_(copy(device, packed_.materials)),
       lights_(copy(device, packed_.lights)), textures_(copy(device, packed_.textures.records)),
       texels_(copy(device, packed_.textures.texels)), srgb_(copy(device, packed_.srgb)),
@@ -19,9 +16,8 @@ DeviceScene::DeviceScene(const gpu::Device& device, PackedScene packed)
       environment_alias_(copy(device, packed_.environment_map.alias)) {}
 
 uint32_t DeviceScene::bind(gpu::Kernel& kernel, uint32_t first) const {
-    return kernel.set_from(first, nodes_, blocks_, spheres_, instances_, packed_.bvh.root,
-                           surfaces_, materials_, lights_, textures_, texels_, srgb_, environment_,
-                           environment_alias_);
+    return kernel.set_from(tree_.bind(kernel, first), surfaces_, materials_, lights_, textures_,
+                           texels_, srgb_, environment_, environment_alias_);
 }
 
 } // namespace onde

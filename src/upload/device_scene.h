@@ -3,6 +3,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
+#include "upload/device_tree.h"
 #include "upload/pack.h"
 
 namespace onde {
@@ -20,10 +21,7 @@ class DeviceScene {
 
   private:
     PackedScene packed_;
-    gpu::Buffer<BvhNode> nodes_;
-    gpu::Buffer<TriangleBlock> blocks_;
-    gpu::Buffer<BvhSphere> spheres_;
-    gpu::Buffer<BvhInstance> instances_;
+    DeviceTree tree_;
     gpu::Buffer<SurfaceRecord> surfaces_;
     gpu::Buffer<MaterialRecord> materials_;
     gpu::Buffer<LightRecord> lights_;

@@ -8,6 +8,8 @@
 
 static_assert(sizeof(BvhNode) == 512 && offsetof(BvhNode, child) == 384);
 static_assert(sizeof(TriangleBlock) == 320 && offsetof(TriangleBlock, primitive) == 288);
+static_assert(sizeof(BvhCompressed) == 80 && offsetof(BvhCompressed, low_x) == 32);
+static_assert(sizeof(BvhPair) == 64 && sizeof(BvhSlot) == 48);
 static_assert(sizeof(BvhSphere) == 32 && sizeof(BvhInstance) == 128);
 static_assert(sizeof(MaterialRecord) == 64 && sizeof(SurfaceRecord) == 64);
 static_assert(sizeof(LightRecord) == 80 && sizeof(TextureRecord) == 32 &&

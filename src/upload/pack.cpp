@@ -18,6 +18,7 @@ std::vector<std::string> SceneFeatures::defines() const {
             fmt::format("ONDE_DIELECTRICS={:d}", dielectrics),
             fmt::format("ONDE_ENVIRONMENT={:d}", environment),
             fmt::format("ONDE_WATERTIGHT={:d}", watertight),
+            fmt::format("ONDE_BVH_LAYOUT={}", uint32_t(layout)),
             fmt::format("ONDE_STACK_SIZE={}", stack_size)};
 }
 
@@ -25,6 +26,7 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     SceneFeatures features;
     features.instances = packed.bvh.has_instances;
     features.watertight = packed.bvh.watertight;
+    features.layout = packed.bvh.layout;
     features.spheres = !scene.spheres.empty();
     features.shapes = !scene.shapes.empty();
     features.textures = !scene.textures.empty();
@@ -34,7 +36,8 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     }
     features.environment = packed.environment_light != NO_INDEX;
     // Rounded up, so that scenes of similar depth share a compiled program.
-    features.stack_size = std::max(64u, (packed.bvh.stack_size + 31) / 32 * 32);
+    const uint32_t step = features.layout == BvhLayout::wide ? 32 : 16; // GPUs have little room
+    features.stack_size = std::max(2 * step, (packed.bvh.stack_size + step - 1) / step * step);
     return features;
 }
 
@@ -46,8 +49,9 @@ uint64_t total_bytes(const std::vector<BufferSize>& buffers) {
 
 std::vector<BufferSize> PackedScene::device_buffers() const {
     const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
-    return {{"BVH nodes", bytes(bvh.nodes)},
-            {"BVH triangles", bytes(bvh.blocks)},
+    // Of nodes, and of leaves, only one kind is there.
+    return {{"BVH nodes", bytes(bvh.nodes) + bytes(bvh.compressed) + bytes(bvh.pairs)},
+            {"BVH triangles", bytes(bvh.blocks) + bytes(bvh.slots)},
             {"BVH spheres and shapes", bytes(bvh.spheres)},
             {"BVH instances", bytes(bvh.instances)},
             {"surfaces", bytes(surfaces)},
@@ -64,6 +68,7 @@ PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
     FlatGeometry flat = flatten_geometry(scene);
     PackedScene packed;
     packed.bvh = build_bvh(flat.geometries, flat.placements, options);
+    narrow_bvh(packed.bvh, options.layout);
     LightList lights = build_lights(scene, flat);
     packed.lights = std::move(lights.records);
     packed.environment_light = lights.environment;

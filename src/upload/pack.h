@@ -18,6 +18,7 @@ struct SceneFeatures {
     bool dielectrics = false, environment = false;
     uint32_t stack_size = 1;
     bool watertight = false;
+    BvhLayout layout = BvhLayout::wide;
 
     /// As definitions for the kernels: "ONDE_TEXTURES=1", ...
     std::vector<std::string> defines() const;

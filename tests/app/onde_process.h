@@ -31,7 +31,7 @@ inline const std::string CORNELL = ONDE_SOURCE_DIR "/scenes/cornell.toml";
 
 /// Small, and the same everywhere, so that one program is compiled for all tests.
 inline Arguments render(const std::string& scene, const Arguments& more = {}) {
-    Arguments all{"render", scene, "--lanes", "16"};
+    Arguments all{"render", scene, "--lanes", "8"};
     for (const char* option : {"--size", "--spp"}) // unless the test has its own
         if (std::find(more.begin(), more.end(), option) == more.end()) {
             all.push_back(option);

@@ -2,6 +2,7 @@
 #include "image/image_io.h"
 #include "onde_process.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 using namespace onde::test;
@@ -230,6 +231,31 @@ TEST_CASE("plain trees and the watertight option render the production tree's pi
     CHECK(pixels_of(folder, "c.exr", {"--bvh", "median-spatial"}) == expected);
     CHECK(pixels_of(folder, "d.exr", {"--bvh", "none"}) == expected);
     CHECK(pixels_of(folder, "e.exr", {"--watertight"}).size() == expected.size());
+}
+
+TEST_CASE(
+    "a tree in a layout for GPUs renders the wide one's picture, with and without instances") {
+    const Folder folder;
+    for (const char* scene : {"cornell", "instances"}) {
+        const std::string file = fmt::format(ONDE_SOURCE_DIR "/scenes/{}.toml", scene);
+        std::vector<onde::Image> pictures;
+        for (const char* layout : {"wide", "compressed", "binary"}) {
+            INFO(scene << ", " << layout);
+            const std::string output = fmt::format("{}.exr", layout);
+            const Outcome outcome = onde::test::onde(
+                folder, render(file, {"--layout", layout, "--float", "-o", output}));
+            INFO(outcome.err);
+            REQUIRE(outcome.code == 0);
+            pictures.push_back(onde::read_image(folder / output));
+            // Where distances round otherwise, a path may go another way.
+            const auto& expected = pictures[0].pixels;
+            size_t equal = 0;
+            for (size_t i = 0; i < expected.size(); ++i)
+                equal += std::abs(pictures.back().pixels[i] - expected[i]) <=
+                         1e-4f * std::abs(expected[i]);
+            CHECK(equal >= expected.size() * 98 / 100);
+        }
+    }
 }
 
 TEST_CASE("onde volumes prints a line for every volume and hierarchy, and plots them") {

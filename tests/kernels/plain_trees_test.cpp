@@ -44,14 +44,14 @@ TEST_CASE("every builder's tree gives the hits of the production tree") {
         for (bool watertight : {false, true}) {
             const std::vector<std::string> defines{fmt::format("ONDE_WATERTIGHT={:d}", watertight)};
             world.bvh = build_bvh(world.geometries, world.placements, {.watertight = watertight});
-            Tracer production(world, defines);
+            Tracer production(world, defines, Abilities::all);
             const std::vector<Hit> expected = production.closest(rays);
             const std::vector<uint32_t> blocked = production.occluded(rays);
             for (BvhBuilder builder : {BvhBuilder::high, BvhBuilder::median,
                                        BvhBuilder::median_spatial, BvhBuilder::none}) {
                 world.bvh = build_bvh(world.geometries, world.placements,
                                       {.builder = builder, .watertight = watertight});
-                Tracer tracer(world, defines);
+                Tracer tracer(world, defines, Abilities::all);
                 INFO("builder " << int(builder) << ", watertight " << watertight);
                 CHECK(unlike(tracer.closest(rays), expected) == 0);
                 CHECK(unlike(tracer.closest_packet(rays), expected) == 0);

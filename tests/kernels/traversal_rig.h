@@ -7,6 +7,7 @@
 #include "scene/load.h"
 #include "support/assets.h"
 #include "support/test_cache.h"
+#include "upload/device_tree.h"
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cstring>
@@ -58,17 +59,18 @@ struct World {
     explicit World(Soup soup) : World({std::move(soup)}, {{0, glm::mat4(1.0f)}}) {}
 };
 
+/// Kernels that do what a tree needs, or everything, so that more trees share a program.
+enum class Abilities { needed, all };
+
 /// The bench's kernels over one tree.
 class Tracer {
   public:
-    explicit Tracer(const World& world, std::vector<std::string> defines = {})
-        : nodes_(Buffer<BvhNode>::in_place(device(), world.bvh.nodes)),
-          blocks_(Buffer<TriangleBlock>::in_place(device(), world.bvh.blocks)),
-          spheres_(Buffer<BvhSphere>::in_place(device(), world.bvh.spheres)),
-          instances_(Buffer<BvhInstance>::in_place(device(), world.bvh.instances)),
-          root_(world.bvh.root),
+    explicit Tracer(const World& world, std::vector<std::string> defines = {},
+                    Abilities abilities = Abilities::needed)
+        : tree_(device(), world.bvh),
           program_(build_program(device(), KernelSources::embedded(),
-                                 request(world.bvh, std::move(defines)), &test_cache())) {}
+                                 request(world.bvh, std::move(defines), abilities),
+                                 &test_cache())) {}
 
     std::vector<Hit> closest(std::span<const Ray> rays) {
         return trace<Hit>("closest", rays, rays.size());
@@ -87,19 +89,20 @@ class Tracer {
     }
 
   private:
-    static ProgramRequest request(const Bvh& bvh, std::vector<std::string> defines) {
+    static ProgramRequest request(const Bvh& bvh, std::vector<std::string> defines,
+                                  Abilities abilities) {
+        const bool all = abilities == Abilities::all;
         // Of few sizes, so that trees share programs.
-        defines.push_back(
-            fmt::format("ONDE_STACK_SIZE={}", std::bit_ceil(std::max(bvh.stack_size, 64u))));
-        defines.push_back(fmt::format("ONDE_INSTANCES={:d}", bvh.has_instances));
-        defines.push_back(fmt::format("ONDE_SPHERES={:d}", !bvh.spheres.empty()));
-        return {"bench/traversal.cl",
-                std::move(defines),
-                {{"closest", 64},
-                 {"closest_packet", 1},
-                 {"closest_stream", 1},
-                 {"occluded", 64},
-                 {"occluded_stream", 1}}};
+        const uint32_t stack = std::bit_ceil(std::max(bvh.stack_size, all ? 256u : 64u));
+        defines.push_back(fmt::format("ONDE_STACK_SIZE={}", stack));
+        defines.push_back(fmt::format("ONDE_INSTANCES={:d}", all || bvh.has_instances));
+        defines.push_back(fmt::format("ONDE_SPHERES={:d}", all || !bvh.spheres.empty()));
+        defines.push_back(fmt::format("ONDE_BVH_LAYOUT={}", uint32_t(bvh.layout)));
+        std::vector<KernelShape> kernels{{"closest", 64}, {"occluded", 64}};
+        if (bvh.layout == BvhLayout::wide)
+            for (const char* name : {"closest_packet", "closest_stream", "occluded_stream"})
+                kernels.push_back({name, 1});
+        return {"bench/traversal.cl", std::move(defines), std::move(kernels)};
     }
 
     template <class Result>
@@ -107,17 +110,13 @@ class Tracer {
         const Buffer<Ray> input(device(), rays);
         const Buffer<Result> output(device(), rays.size());
         Kernel& kernel = program_.kernel(name);
-        kernel.set_from(0, uint32_t(rays.size()), nodes_, blocks_, spheres_, instances_, root_,
-                        input, output);
+        kernel.set_from(0, uint32_t(rays.size()));
+        kernel.set_from(tree_.bind(kernel, 1), input, output);
         kernel.launch(items);
         return output.read(device());
     }
 
-    Buffer<BvhNode> nodes_;
-    Buffer<TriangleBlock> blocks_;
-    Buffer<BvhSphere> spheres_;
-    Buffer<BvhInstance> instances_;
-    uint32_t root_;
+    DeviceTree tree_;
     Program program_;
 };
 
@@ -234,8 +233,9 @@ inline bool same_distance(float a, float b, float tolerance = 1e-4f) {
 }
 
 /// Requires the kernel's answer on every ray that is not a close call.
-inline void check_against_brute_force(const World& world, const std::vector<Ray>& rays) {
-    Tracer tracer(world);
+inline void check_against_brute_force(const World& world, const std::vector<Ray>& rays,
+                                      Abilities abilities = Abilities::needed) {
+    Tracer tracer(world, {}, abilities);
     const std::vector<Hit> hits = tracer.closest(rays);
     const std::vector<uint32_t> blocked = tracer.occluded(rays);
     const BruteForce exact(world, 0), wide(world, 1e-4), narrow(world, -1e-4);

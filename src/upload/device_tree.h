@@ -1,0 +1,30 @@
+// A tree's buffers on the device, in any layout.
+#pragma once
+
+#include "accel/bvh.h"
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+
+namespace onde {
+
+/// The layout for a device of this kind: measured on CPUs, where the wide one is the fastest by
+/// far; on GPUs it follows from their architecture, and is not measured yet.
+BvhLayout default_layout(const gpu::DeviceFacts& facts);
+
+/// Uses the tree's memory in place where the device is a CPU: the tree must outlive it. Move-only.
+class DeviceTree {
+  public:
+    DeviceTree(const gpu::Device& device, const Bvh& bvh);
+
+    /// Binds the members of BvhView (kernels/lib/bvh_view.h) from argument `first` on; returns the
+    /// next index.
+    uint32_t bind(gpu::Kernel& kernel, uint32_t first) const;
+
+  private:
+    gpu::Buffer<uint8_t> nodes_, leaves_;
+    gpu::Buffer<BvhSphere> spheres_;
+    gpu::Buffer<BvhInstance> instances_;
+    uint32_t root_;
+};
+
+} // namespace onde

@@ -243,7 +243,8 @@ TEST_CASE(
             INFO(scene << ", " << layout);
             const std::string output = fmt::format("{}.exr", layout);
             const Outcome outcome = onde::test::onde(
-                folder, render(file, {"--layout", layout, "--float", "-o", output}));
+                folder,
+                render(file, {"--layout", layout, "--float", "-o", output, "--aov", "tests"}));
             INFO(outcome.err);
             REQUIRE(outcome.code == 0);
             pictures.push_back(onde::read_image(folder / output));
@@ -254,6 +255,10 @@ TEST_CASE(
                 equal += std::abs(pictures.back().pixels[i] - expected[i]) <=
                          1e-4f * std::abs(expected[i]);
             CHECK(equal >= expected.size() * 98 / 100);
+            const onde::Image counts =
+                onde::read_image(folder / fmt::format("{}.tests.exr", layout));
+            for (size_t i = 0; i < counts.pixels.size(); i += 3)
+                CHECK(counts.pixels[i + 2] > 0); // every ray tests the root's boxes
         }
     }
 }

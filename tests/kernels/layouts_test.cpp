@@ -56,8 +56,7 @@ TEST_CASE("every builder's tree gives the same hits in every layout, watertight 
     const std::vector<Ray> rays = varied_rays();
     for (const World& world : {World(bumpy_terrain(60)), mixed_world(), needles(), grove()})
         for (const bool watertight : {false, true}) {
-            std::vector<std::string> defines;
-            if (watertight) defines.push_back("ONDE_WATERTIGHT=1");
+            const std::vector<std::string> defines{fmt::format("ONDE_WATERTIGHT={:d}", watertight)};
             const World as_wide = in_layout(world, {.watertight = watertight});
             Tracer wide(as_wide, defines, Abilities::all);
             const std::vector<Hit> expected = wide.closest(rays);

@@ -53,7 +53,7 @@ size_t unlike(const std::vector<Hit>& hits, const std::vector<Hit>& expected) {
 } // namespace
 
 TEST_CASE("every builder's tree gives the same hits in every layout, watertight or not") {
-    const std::vector<Ray> rays = varied_rays();
+    const std::vector<Ray> rays = varied_rays(128);
     for (const World& world : {World(bumpy_terrain(60)), mixed_world(), needles(), grove()})
         for (const bool watertight : {false, true}) {
             const std::vector<std::string> defines{fmt::format("ONDE_WATERTIGHT={:d}", watertight)};

@@ -39,7 +39,7 @@ World needles() {
 } // namespace
 
 TEST_CASE("every builder's tree gives the hits of the production tree") {
-    const std::vector<Ray> rays = varied_rays();
+    const std::vector<Ray> rays = varied_rays(128); // lists of everything take long
     for (World world : {World(bumpy_terrain(60)), mixed_world(), needles(), grove()})
         for (bool watertight : {false, true}) {
             const std::vector<std::string> defines{fmt::format("ONDE_WATERTIGHT={:d}", watertight)};

@@ -335,8 +335,10 @@ inline void check_against_embree(Soup soup, const std::vector<Ray>& rays) {
     CHECK(different <= 20 * rays.size() / 1'000'000 + 1);
 }
 
-inline std::vector<Ray> varied_rays() {
-    return join(pinhole_rays(256, {1.2f, 0.9f, 1.5f}, {0, 0, 0}, 1.2f), random_rays(60000, 41));
+/// Those through side x side pixels, and nearly as many at random.
+inline std::vector<Ray> varied_rays(uint32_t side = 256) {
+    return join(pinhole_rays(side, {1.2f, 0.9f, 1.5f}, {0, 0, 0}, 1.2f),
+                random_rays(side * side * 9 / 10, 41));
 }
 
 } // namespace onde::test::traversal

@@ -270,6 +270,39 @@ inline World grove() {
                  std::move(placements));
 }
 
+/// Triangles and spheres in one tree.
+inline World mixed_world() {
+    Soup soup = random_triangles(1500, 0.3f, 41);
+    soup.spheres = random_spheres(100, 0.1f, 42).spheres;
+    return World(std::move(soup));
+}
+
+/// Long thin triangles, crosswise, some far larger than the rest and far from the origin: spatial
+/// splits cut most of them many times. And flat ones, in the planes of their boxes.
+inline World needles() {
+    Soup soup;
+    Generator generator(43);
+    for (int i = 0; i < 1500; ++i) {
+        const float length = i % 10 == 0 ? 30.0f : 2.0f;
+        const glm::vec3 middle = uniform_point(generator), d = length * uniform_point(generator);
+        soup.add(middle - d, middle + d, middle + d + 0.05f * uniform_point(generator));
+    }
+    for (int i = 0; i < 200; ++i) {
+        const glm::vec3 corner = uniform_point(generator);
+        soup.add(corner, corner + glm::vec3(0.2f, 0, 0), corner + glm::vec3(0, 0, 0.2f));
+    }
+    return World(std::move(soup));
+}
+
+/// The number of hits that are not the same primitive at the same distance, give or take rounding.
+inline size_t unlike(const std::vector<Hit>& hits, const std::vector<Hit>& expected) {
+    size_t count = 0;
+    for (size_t i = 0; i < hits.size(); ++i)
+        count += !same_primitive(hits[i], expected[i]) ||
+                 !same_distance(hits[i].t, expected[i].t, 1e-6f);
+    return count;
+}
+
 /// The number of places at which two lists of results differ in any bit.
 template <class T>
 inline size_t differences(const std::vector<T>& a, const std::vector<T>& b) {

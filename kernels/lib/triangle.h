@@ -2,6 +2,10 @@
 // 1997, in three widths with one arithmetic: 8 triangles against a ray, 16 rays against a
 // triangle, or one and one. All round alike, lane by lane, so that no answer depends on which of
 // them was asked.
+//
+// The determinants are grouped by the triangle's normal and by the plane that the ray spans with
+// corner 0. The distance comes from the normal alone: what rounding does to the normal of a narrow
+// triangle then moves a hit by its share of the edges' length, and not of the way to the origin.
 #ifndef ONDE_LIB_TRIANGLE_H
 #define ONDE_LIB_TRIANGLE_H
 
@@ -37,16 +41,15 @@
                                                                                                    \
     INLINE TriangleTest##N test_triangles##N(Vectors##N origin, Vectors##N direction,              \
                                              Vectors##N v0, Vectors##N e1, Vectors##N e2) {        \
-        const Vectors##N p = cross##N(direction, e2);                                              \
-        const Vectors##N s = {origin.x - v0.x, origin.y - v0.y, origin.z - v0.z};                  \
-        const Vectors##N q = cross##N(s, e1);                                                      \
-        const float##N determinant = dot##N(e1, p);                                                \
+        const Vectors##N c = {v0.x - origin.x, v0.y - origin.y, v0.z - origin.z};                  \
+        const Vectors##N normal = cross##N(e2, e1), across = cross##N(c, direction);               \
+        const float##N determinant = dot##N(normal, direction);                                    \
         const int##N sign = as_int##N(determinant) & (int)0x80000000;                              \
         TriangleTest##N test;                                                                      \
         test.determinant = fabs(determinant);                                                      \
-        test.u = flip_sign##N(dot##N(s, p), sign);                                                 \
-        test.v = flip_sign##N(dot##N(direction, q), sign);                                         \
-        test.t = flip_sign##N(dot##N(e2, q), sign);                                                \
+        test.u = flip_sign##N(dot##N(across, e2), sign ^ (int)0x80000000);                         \
+        test.v = flip_sign##N(dot##N(across, e1), sign);                                           \
+        test.t = flip_sign##N(dot##N(normal, c), sign);                                            \
         test.inside = (test.u >= 0.0f) & (test.v >= 0.0f) &                                        \
                       (test.u + test.v <= test.determinant) & (test.determinant > 0.0f);           \
         return test;                                                                               \

@@ -109,6 +109,33 @@ TEST_CASE("hits do not depend on the tree's shape") {
     CHECK(different == 0);
 }
 
+TEST_CASE("the distance to a narrow triangle does not suffer from a far origin") {
+    Soup soup;
+    std::vector<Ray> rays;
+    Generator generator(22);
+    for (int i = 0; i < 500; ++i) { // a hundredth long, a hundred-thousandth high
+        const glm::vec3 corner = uniform_point(generator);
+        const glm::vec3 along = 0.01f * glm::normalize(uniform_point(generator));
+        const glm::vec3 height =
+            1e-5f * glm::normalize(glm::cross(along, uniform_point(generator)));
+        soup.add(corner, corner + along, corner + 0.5f * along + height);
+        const glm::vec3 origin = 4.0f * glm::normalize(glm::cross(along, height));
+        rays.push_back({origin, 0.0f, corner + 0.5f * along + 0.4f * height - origin, 1e30f});
+    }
+    const World world(std::move(soup));
+    const std::vector<Hit> hits = Tracer(world).closest(rays);
+    const BruteForce exact(world, 0);
+    size_t found = 0, off = 0;
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const Hit expected = exact.closest(rays[i]);
+        if (!is_hit(hits[i]) || !same_primitive(hits[i], expected)) continue;
+        ++found;
+        off += !same_distance(hits[i].t, expected.t, 3e-6f);
+    }
+    CHECK(found > 400);
+    CHECK(off == 0);
+}
+
 TEST_CASE("of triangles in one place the one with the smallest id is hit") {
     Soup soup;
     for (int i = 0; i < 100; ++i) soup.add({-1, -1, 0}, {2, -1, 0}, {-1, 2, 0});

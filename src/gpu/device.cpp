@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdlib>
 #include <functional>
 
 namespace onde::gpu {
@@ -93,7 +94,15 @@ Platform open_platform(const cl::Platform& platform) {
     return opened;
 }
 
+/// PoCL compiles a kernel for the group size of its launch, and all kernels again, for groups of
+/// any size, when asked for the program's binary. The latter run as fast here and are enough.
+void have_pocl_compile_once() {
+    constexpr int KEEP_THE_USERS = 0;
+    setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", KEEP_THE_USERS);
+}
+
 std::vector<Platform> open_platforms() {
+    have_pocl_compile_once();
     std::vector<cl::Platform> platforms;
     try {
         cl::Platform::get(&platforms);

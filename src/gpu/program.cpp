@@ -10,7 +10,7 @@
 namespace onde::gpu {
 namespace {
 
-/// PoCL specialises kernels for grids below this many work items and for all others.
+/// Where PoCL specialises kernels, it does so for grids below this many work items and for others.
 constexpr size_t LARGE_GRID = 65535;
 
 std::string join_options(const DeviceFacts& facts, const ProgramRequest& request) {

@@ -25,7 +25,7 @@ struct DeviceSettings {
     uint32_t local_size = 64;      ///< work items of a group, the same for every launch
     QueueKind queue = QueueKind::global;
     Launch launch = Launch::staged;
-    bool primary_packets = false; ///< trace primary rays in packets of `width`
+    bool primary_packets = false; ///< trace primary rays in packets of 16
 };
 
 /// The settings that measured best for devices of this kind (CPUs), or that follow from their

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <map>
 
 using namespace onde::test;
 
@@ -182,6 +183,24 @@ TEST_CASE("cache prewarm compiles what a render then loads; list shows it and cl
     CHECK_THAT(output_of(folder, {"cache", "clear"}, own),
                Catch::StartsWith("1 programs removed from " + (folder / "cache").string()));
     CHECK_THAT(output_of(folder, {"cache", "list"}, own), Catch::StartsWith("0 programs, 0 bytes"));
+}
+
+TEST_CASE("PoCL compiles each kernel once, and a binary of it is kept") {
+    const Folder folder;
+    const fs::path pocl = folder / "pocl";
+    fs::create_directories(pocl);
+    const Environment own{{"ONDE_CACHE_DIR", (folder / "cache").string()},
+                          {"POCL_CACHE_DIR", pocl.string()}};
+    CHECK_THAT(output_of(folder, {"cache", "prewarm", CORNELL}, own),
+               Catch::Contains("cornell.toml compiled in "));
+    std::map<std::string, int> versions; // of each kernel, as shared objects
+    for (const auto& entry : fs::recursive_directory_iterator(pocl))
+        if (entry.path().extension() == ".so") ++versions[entry.path().stem()];
+    if (versions.empty()) WARN("the device is not PoCL's");
+    for (const auto& [kernel, count] : versions) {
+        INFO(kernel);
+        CHECK(count == 1);
+    }
 }
 
 TEST_CASE("cache prewarm without a scene serves the scene of shapes that the README renders") {

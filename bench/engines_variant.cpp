@@ -21,6 +21,7 @@ std::vector<Variant> all_variants(const gpu::DeviceFacts& facts) {
     using gpu::Launch;
     return {{"fused-16-packets", Engine::wavefront, shaped(16, Launch::fused, true)},
             {"fused-16", Engine::wavefront, shaped(16, Launch::fused, false)},
+            {"fused-8-packets", Engine::wavefront, shaped(8, Launch::fused, true)},
             {"fused-8", Engine::wavefront, shaped(8, Launch::fused, false)},
             {"fused-1", Engine::wavefront, shaped(1, Launch::fused, false)},
             {"staged-16", Engine::wavefront, shaped(16, Launch::staged, true)},

@@ -40,21 +40,6 @@ __kernel void occluded(uint count, BVH_PARAMETERS, __global const float8* rays,
 }
 
 #if ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE
-// Work item i takes rays 16 i to 16 i + 15; the last packet repeats the last ray.
-__kernel void closest_packet(uint count, BVH_PARAMETERS, __global const float* rays,
-                             __global float* hits) {
-    const uint first = 16 * get_global_id(0);
-    if (first >= count) return;
-    const BvhView bvh = BVH_VIEW;
-    float rows[8][16], hit_rows[5][16];
-    for (uint lane = 0; lane < 16; lane++)
-        for (uint row = 0; row < 8; row++)
-            rows[row][lane] = rays[8 * min(first + lane, count - 1) + row];
-    bvh_closest_packet(bvh, rows, hit_rows);
-    for (uint lane = 0; lane < 16 && first + lane < count; lane++)
-        for (uint row = 0; row < 5; row++) hits[5 * (first + lane) + row] = hit_rows[row][lane];
-}
-
 // Rays `first` to `first` + 15; after the last one, it again.
 INLINE void load_stream(__global const float* rays, uint first, uint count, StreamRays* stream,
                         float* t_min, float* t_max) {
@@ -84,6 +69,18 @@ __kernel void occluded_stream(uint count, BVH_PARAMETERS, __global const float* 
     for (uint lane = 0; lane < live; lane++) blocked[first + lane] = hit >> lane & 1;
 }
 
+INLINE void load_closest(__global const float* rays, uint first, uint count, StreamRays* stream,
+                         float* t_min, StreamHits* found) {
+    float t_max[16];
+    load_stream(rays, first, count, stream, t_min, t_max);
+    clear_stream_hits(found, vload16(0, t_max));
+}
+INLINE void store_stream_hits(__global float* hits, uint first, uint count,
+                              const StreamHits* found) {
+    for (uint lane = 0; lane < STREAM_WIDTH && first + lane < count; lane++)
+        store_hit(hits, first + lane, stream_hit(found, lane));
+}
+
 __kernel void closest_stream(uint count, BVH_PARAMETERS, __global const float* rays,
                              __global float* hits) {
     const uint first = 16 * get_global_id(0);
@@ -92,14 +89,22 @@ __kernel void closest_stream(uint count, BVH_PARAMETERS, __global const float* r
     StreamRays stream;
     StreamHits found;
     float t_min[16];
-    load_stream(rays, first, count, &stream, t_min, found.t);
-    for (uint lane = 0; lane < STREAM_WIDTH; lane++) {
-        found.u[lane] = found.v[lane] = 0.0f;
-        found.primitive[lane] = found.instance[lane] = BVH_NONE;
-    }
+    load_closest(rays, first, count, &stream, t_min, &found);
     const uint live = min(count - first, 16u);
     bvh_closest_stream(BVH_TO_SCALARS(bvh), &stream, t_min, &found, (1u << live) - 1);
-    for (uint lane = 0; lane < live; lane++)
-        store_hit(hits, first + lane, stream_hit(&found, lane));
+    store_stream_hits(hits, first, count, &found);
+}
+
+__kernel void closest_packet(uint count, BVH_PARAMETERS, __global const float* rays,
+                             __global float* hits) {
+    const uint first = 16 * get_global_id(0);
+    if (first >= count) return;
+    const BvhView bvh = BVH_VIEW;
+    StreamRays stream;
+    StreamHits found;
+    float t_min[16];
+    load_closest(rays, first, count, &stream, t_min, &found);
+    bvh_closest_packet(BVH_TO_SCALARS(bvh), &stream, t_min, &found);
+    store_stream_hits(hits, first, count, &found);
 }
 #endif

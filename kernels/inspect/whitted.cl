@@ -31,7 +31,7 @@ INLINE void explain_source(SceneView view, WhittedView w, TreeVertex v, uint ind
 INLINE void explain_node(SceneView view, WhittedView w, NodeArena a, uint slot, uint level,
                          uint sample, __global NodeReport* report, __global SourceReport* sources) {
     const TreeRay ray = load_tree_ray(a, slot);
-    const Hits hit = load_node_hits(a, slot);
+    const Hits hit = load_hit_rows(node_hits(a), slot);
     const TreeVertex v = tree_vertex(view, w, ray, hit, 1);
     report_hit(&report->hit, ray.origin, ray.direction, hit, v.surface);
     report->hit.t = v.t;

@@ -4,21 +4,14 @@
 #ifndef ONDE_LIB_BVH_PACKET_H
 #define ONDE_LIB_BVH_PACKET_H
 
-#include "lib/bvh_wide.h"
+#include "lib/bvh_stream_closest.h"
 
 #if ONDE_INSTANCES
 
-// Rays that leave for an instance's space no longer share a frustum: one by one.
-OUTLINED void bvh_closest_packet(BvhView bvh, float rays[8][16], float hits[5][16]) {
-    for (uint i = 0; i < 16; i++) {
-        const Hit hit = bvh_closest(bvh, (float3)(rays[0][i], rays[1][i], rays[2][i]), rays[3][i],
-                                    (float3)(rays[4][i], rays[5][i], rays[6][i]), rays[7][i]);
-        hits[0][i] = hit.t;
-        hits[1][i] = hit.u;
-        hits[2][i] = hit.v;
-        hits[3][i] = as_float(hit.primitive);
-        hits[4][i] = as_float(hit.instance);
-    }
+// Rays that leave for an instance's space no longer share a frustum: in company.
+OUTLINED void bvh_closest_packet(BVH_SCALARS, StreamRays* rays, const float* t_min,
+                                 StreamHits* hits) {
+    bvh_closest_stream(nodes, blocks, spheres, instances, root, rays, t_min, hits, 0xffffu);
 }
 
 #else
@@ -46,15 +39,15 @@ typedef struct {
     // than what rounding and SLAB_SLACK do to the distances of each ray.
     #define FRUSTUM_SLACK 2e-6f
 
-INLINE Packet load_packet(float rays[8][16]) {
+INLINE Packet load_packet(const StreamRays* rays, const float* t_min) {
     Packet packet;
-    packet.origin.x = vload16(0, rays[0]);
-    packet.origin.y = vload16(0, rays[1]);
-    packet.origin.z = vload16(0, rays[2]);
-    packet.t_min = vload16(0, rays[3]);
-    packet.direction.x = vload16(0, rays[4]);
-    packet.direction.y = vload16(0, rays[5]);
-    packet.direction.z = vload16(0, rays[6]);
+    packet.origin.x = vload16(0, rays->origin[0]);
+    packet.origin.y = vload16(0, rays->origin[1]);
+    packet.origin.z = vload16(0, rays->origin[2]);
+    packet.t_min = vload16(0, t_min);
+    packet.direction.x = vload16(0, rays->direction[0]);
+    packet.direction.y = vload16(0, rays->direction[1]);
+    packet.direction.z = vload16(0, rays->direction[2]);
     const float16 reach = watertight_reach16(packet.origin.x, packet.origin.y, packet.origin.z);
     const SlabAxis16 x = make_slab_axis16(packet.origin.x, packet.direction.x, reach);
     const SlabAxis16 y = make_slab_axis16(packet.origin.y, packet.direction.y, reach);
@@ -288,11 +281,12 @@ INLINE PacketHits walk_octant(BvhView bvh, Packet rays, int16 lanes, uint octant
     return hits;
 }
 
-// Closest hits of 16 rays of any directions. Rows of `rays`: origin x y z, t_min, direction x y z,
-// t_max; rows of `hits`: t, u, v, and the bits of primitive and instance.
-OUTLINED void bvh_closest_packet(BvhView bvh, float rays[8][16], float hits[5][16]) {
-    const Packet packet = load_packet(rays);
-    PacketHits found = {vload16(0, rays[7]), 0.0f, 0.0f, (uint16)(BVH_NONE)};
+// Closest hits of 16 rays of any directions, as bvh_closest_stream of all of them.
+OUTLINED void bvh_closest_packet(BVH_SCALARS, StreamRays* rays, const float* t_min,
+                                 StreamHits* hits) {
+    const BvhView bvh = BVH_FROM_SCALARS;
+    const Packet packet = load_packet(rays, t_min);
+    PacketHits found = {vload16(0, hits->t), 0.0f, 0.0f, (uint16)(BVH_NONE)};
     const uint16 octant_of = octants(packet);
     uint octant_list[16];
     vstore16(octant_of, 0, octant_list);
@@ -302,11 +296,10 @@ OUTLINED void bvh_closest_packet(BvhView bvh, float rays[8][16], float hits[5][1
         found = walk_octant(bvh, packet, lanes, octant, found);
         rest &= ~bits16(lanes);
     }
-    vstore16(found.t, 0, hits[0]);
-    vstore16(found.u, 0, hits[1]);
-    vstore16(found.v, 0, hits[2]);
-    vstore16(as_float16(found.primitive), 0, hits[3]);
-    vstore16(as_float16((uint16)(BVH_NONE)), 0, hits[4]);
+    vstore16(found.t, 0, hits->t);
+    vstore16(found.u, 0, hits->u);
+    vstore16(found.v, 0, hits->v);
+    vstore16(found.primitive, 0, hits->primitive);
 }
 
 #endif

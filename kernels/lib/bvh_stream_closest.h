@@ -11,6 +11,13 @@ typedef struct {
     uint primitive[STREAM_WIDTH], instance[STREAM_WIDTH];
 } StreamHits;
 
+INLINE void clear_stream_hits(StreamHits* hits, float16 t_max) {
+    vstore16(t_max, 0, hits->t);
+    vstore16((float16)(0.0f), 0, hits->u);
+    vstore16((float16)(0.0f), 0, hits->v);
+    vstore16((uint16)(BVH_NONE), 0, hits->primitive);
+    vstore16((uint16)(BVH_NONE), 0, hits->instance);
+}
 INLINE Hit stream_hit(const StreamHits* hits, uint r) {
     const Hit hit = {hits->t[r], hits->u[r], hits->v[r], hits->primitive[r], hits->instance[r]};
     return hit;
@@ -135,7 +142,7 @@ INLINE void go_on_alone(BvhView bvh, uint word, const StreamRays* rays, const fl
 }
 
 // The closest hits of the rays in `bits`; those of the others are left as they are. On entry
-// hits->t is t_max.
+// `hits` are clear.
 OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_min,
                                  StreamHits* hits, uint bits) {
     const BvhView bvh = BVH_FROM_SCALARS;

@@ -137,6 +137,9 @@ INLINE void spill_real(float* p, real a) {
 INLINE real unspill_real(const float* p) {
     return *p;
 }
+INLINE natural unspill_natural(const uint* p) {
+    return *p;
+}
 INLINE real gather_real(__global const float* p, natural i) {
     return p[i];
 }
@@ -174,6 +177,9 @@ INLINE void spill_real(float* p, real a) {
     ONDE_VSTORE(a, 0, p);
 }
 INLINE real unspill_real(const float* p) {
+    return ONDE_VLOAD(0, p);
+}
+INLINE natural unspill_natural(const uint* p) {
     return ONDE_VLOAD(0, p);
 }
 

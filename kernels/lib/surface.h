@@ -259,7 +259,7 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
     }
 #endif
 #if ONDE_SHAPES
-    const mask shape = (word & SURFACE_SHAPE) != 0u;
+    const mask shape = lanes & ((word & SURFACE_SHAPE) != 0u); // the others have no instance
     if_any(shape)
     {
         const ShapePoint point =

@@ -1,5 +1,5 @@
-// Rays of several lanes against the scene: one walk per live lane, one of all lanes in company, or
-// one packet of 16.
+// Rays of several lanes against the scene: one walk per live lane, or one of all lanes in company.
+// For rays that lie in memory see trace_rows.h.
 #ifndef ONDE_LIB_TRACE_H
 #define ONDE_LIB_TRACE_H
 
@@ -11,16 +11,6 @@
     #include "lib/bvh_stream_occluded.h"
 #endif
 
-// Whether primary rays go through the tree as packets of 16; needs ONDE_WIDTH 16 and the wide
-// layout.
-#ifndef ONDE_PRIMARY_PACKETS
-    #define ONDE_PRIMARY_PACKETS 0
-#endif
-#if ONDE_BVH_LAYOUT != BVH_LAYOUT_WIDE
-    #undef ONDE_PRIMARY_PACKETS
-    #define ONDE_PRIMARY_PACKETS 0
-#endif
-
 // Whether rays of several lanes may walk in company, and the bounces from the camera that do;
 // shadow rays then always do.
 #ifndef ONDE_STREAMS
@@ -29,6 +19,13 @@
 #ifndef ONDE_STREAM_BOUNCES
     #define ONDE_STREAM_BOUNCES 2
 #endif
+
+// Whether full groups of primary rays go through the tree as packets.
+#ifndef ONDE_PRIMARY_PACKETS
+    #define ONDE_PRIMARY_PACKETS 0
+#endif
+
+#define RAY_INFINITY 1e30f
 
 // Rays, lane by lane, as the scalar traversal wants them.
 typedef struct {
@@ -50,8 +47,6 @@ INLINE float3 spilled_origin(const SpilledRays* rays, uint k) {
 INLINE float3 spilled_direction(const SpilledRays* rays, uint k) {
     return (float3)(rays->direction_x[k], rays->direction_y[k], rays->direction_z[k]);
 }
-
-#define RAY_INFINITY 1e30f
 
 // Closest hits of the lanes in `bits`; the other lanes miss.
 INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits) {
@@ -81,30 +76,31 @@ INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits)
     return hits;
 }
 
-#if ONDE_PRIMARY_PACKETS
-// Sixteen rays at once, as the rows that bvh_closest_packet wants.
-INLINE Hits trace_packet(BvhView bvh, real3 origin, real3 direction) {
-    float rays[8][16], hit_rows[5][16];
-    spill_real(rays[0], origin.x);
-    spill_real(rays[1], origin.y);
-    spill_real(rays[2], origin.z);
-    spill_real(rays[3], (real)(0.0f));
-    spill_real(rays[4], direction.x);
-    spill_real(rays[5], direction.y);
-    spill_real(rays[6], direction.z);
-    spill_real(rays[7], (real)(RAY_INFINITY));
-    bvh_closest_packet(bvh, rays, hit_rows);
-    Hits hits;
-    hits.t = unspill_real(hit_rows[0]);
-    hits.u = unspill_real(hit_rows[1]);
-    hits.v = unspill_real(hit_rows[2]);
-    hits.primitive = as_natural(unspill_real(hit_rows[3]));
-    hits.instance = as_natural(unspill_real(hit_rows[4]));
-    return hits;
-}
-#endif
-
 #if ONDE_STREAMS
+// Up to 16 rays of a bounce: full groups of primary rays as a packet, those that just left what the
+// camera sees in company, the rest, which has little in common, ray by ray.
+INLINE void closest_in_company(BvhView bvh, StreamRays* rays, StreamHits* hits, uint bounce,
+                               uint bits) {
+    const float t_min[STREAM_WIDTH] = {0.0f};
+    clear_stream_hits(hits, RAY_INFINITY);
+    #if ONDE_PRIMARY_PACKETS && !ONDE_INSTANCES
+    if (bounce == 0 && bits == 0xffffu) {
+        bvh_closest_packet(BVH_TO_SCALARS(bvh), rays, t_min, hits);
+        return;
+    }
+    #endif
+    if (bounce < ONDE_STREAM_BOUNCES) {
+        bvh_closest_stream(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
+        return;
+    }
+    for (; bits; bits &= bits - 1) {
+        const uint r = lowest_bit(bits);
+        set_stream_hit(hits, r,
+                       bvh_closest(bvh, stream_origin(rays, r), 0.0f, stream_direction(rays, r),
+                                   RAY_INFINITY));
+    }
+}
+
 INLINE void load_stream(StreamRays* rays, real3 origin, real3 direction) {
     spill_real(rays->origin[0], origin.x);
     spill_real(rays->origin[1], origin.y);
@@ -113,40 +109,28 @@ INLINE void load_stream(StreamRays* rays, real3 origin, real3 direction) {
     spill_real(rays->direction[1], direction.y);
     spill_real(rays->direction[2], direction.z);
 }
+#endif
 
-// As trace_closest, in company.
-INLINE Hits trace_stream(BvhView bvh, real3 origin, real3 direction, uint bits) {
+// The closest hits of a bounce, the camera's rays being bounce 0.
+#if ONDE_STREAMS
+INLINE Hits trace_bounce(BvhView bvh, real3 origin, real3 direction, uint bounce, uint bits) {
     StreamRays rays;
     StreamHits found;
-    const float t_min[STREAM_WIDTH] = {0.0f};
     load_stream(&rays, origin, direction);
-    spill_real(found.t, (real)(RAY_INFINITY));
-    spill_real(found.u, (real)(0.0f));
-    spill_real(found.v, (real)(0.0f));
-    spill_real((float*)found.primitive, as_real((natural)(BVH_NONE)));
-    spill_real((float*)found.instance, as_real((natural)(BVH_NONE)));
-    bvh_closest_stream(BVH_TO_SCALARS(bvh), &rays, t_min, &found, bits);
+    closest_in_company(bvh, &rays, &found, bounce, bits);
     Hits hits;
     hits.t = unspill_real(found.t);
     hits.u = unspill_real(found.u);
     hits.v = unspill_real(found.v);
-    hits.primitive = as_natural(unspill_real((const float*)found.primitive));
-    hits.instance = as_natural(unspill_real((const float*)found.instance));
+    hits.primitive = unspill_natural(found.primitive);
+    hits.instance = unspill_natural(found.instance);
     return hits;
 }
-#endif
-
-// The closest hits of a bounce: full groups of primary rays as a packet, those that just left what
-// the camera sees in company, the rest, which has little in common, ray by ray.
+#else
 INLINE Hits trace_bounce(BvhView bvh, real3 origin, real3 direction, uint bounce, uint bits) {
-#if ONDE_PRIMARY_PACKETS && !(ONDE_INSTANCES && ONDE_STREAMS)
-    if (bounce == 0 && bits == 0xffffu) return trace_packet(bvh, origin, direction);
-#endif
-#if ONDE_STREAMS
-    if (bounce < ONDE_STREAM_BOUNCES) return trace_stream(bvh, origin, direction, bits);
-#endif
     return trace_closest(bvh, origin, direction, bits);
 }
+#endif
 
 // One bit per lane of `bits` whose way to `distance` is blocked.
 #if ONDE_STREAMS

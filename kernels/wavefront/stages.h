@@ -4,7 +4,6 @@
 #define ONDE_WAVEFRONT_STAGES_H
 
 #include "film/film.h"
-#include "lib/trace.h"
 #include "wavefront/state.h"
 
 INLINE void stage_generate(SceneView view, WaveView wave, WaveJob job, uint begin, uint end) {
@@ -20,12 +19,7 @@ INLINE void stage_generate(SceneView view, WaveView wave, WaveJob job, uint begi
 }
 
 INLINE void stage_intersect(SceneView view, WaveView wave, uint bounce, uint begin, uint end) {
-    for (uint i = begin; i < end; i += ONDE_WIDTH) {
-        const real3 origin = load3(wave.state, wave.stride, LANE_ORIGIN, i);
-        const real3 direction = load3(wave.state, wave.stride, LANE_DIRECTION, i);
-        const uint bits = mask_bits(group_lanes(i, end));
-        store_hits(wave, i, trace_bounce(view.bvh, origin, direction, bounce, bits));
-    }
+    trace_rows(view.bvh, path_rays(wave), path_hits(wave), bounce, begin, end);
 }
 
 // Returns how many shadow rays there are to test.
@@ -37,8 +31,8 @@ INLINE uint stage_shade(SceneView view, WaveView wave, WaveJob job, uint bounce,
         const natural id = choose(lanes, load_path_id(wave, i), (natural)(0u));
         const Sampler sampler =
             sampler_start(job_pixel(job, id), job_sample(job, id), view.frame->seed);
-        const PathVertex vertex =
-            path_vertex(view, load_path(wave, i), load_hits(wave, i), sampler, bounce, lanes);
+        const PathVertex vertex = path_vertex(
+            view, load_path(wave, i), load_hit_rows(path_hits(wave), i), sampler, bounce, lanes);
         add_radiance(wave, id, vertex.emitted, mask_bits(lanes & nonzero3(vertex.emitted)));
         store_shadow_ray(wave, i, vertex.shadow);
         store_path(wave, i, vertex.next);
@@ -48,16 +42,68 @@ INLINE uint stage_shade(SceneView view, WaveView wave, WaveJob job, uint bounce,
     return shadow_rays;
 }
 
+// The shadow rays of the group at slot i.
+INLINE uint shadow_bits(WaveView wave, uint i, uint end) {
+    const real distance = load_real(lane(wave.shadow, wave.stride, LANE_SHADOW_DISTANCE, i));
+    return mask_bits(group_lanes(i, end) & (distance > 0.0f));
+}
+
+#if ONDE_STREAMS
+
+// Up to 16 slots whose shadow rays walk in company.
+typedef struct {
+    uint slots[STREAM_WIDTH];
+    uint count;
+} ShadowGroup;
+
+INLINE void light_slot(WaveView wave, uint i) {
+    const uint path = as_uint(*lane(wave.state, wave.stride, LANE_ID, i));
+    __global const float* light = lane(wave.shadow, wave.stride, LANE_SHADOW_RADIANCE, i);
+    wave.radiance[path] +=
+        (float4)(light[0], light[wave.stride], light[2 * (size_t)wave.stride], 0.0f);
+}
+
+INLINE void test_shadows(SceneView view, WaveView wave, ShadowGroup* group) {
+    const float t_min[STREAM_WIDTH] = {0.0f};
+    float distance[STREAM_WIDTH];
+    StreamRays rays;
+    for (uint r = 0; r < group->count; r++) {
+        load_ray(&rays, r, shadow_rays(wave), group->slots[r]);
+        distance[r] = *lane(wave.shadow, wave.stride, LANE_SHADOW_DISTANCE, group->slots[r]);
+    }
+    const uint bits = (1u << group->count) - 1;
+    const uint blocked =
+        bvh_occluded_stream(BVH_TO_SCALARS(view.bvh), &rays, t_min, distance, bits);
+    for (uint open = bits & ~blocked; open; open &= open - 1)
+        light_slot(wave, group->slots[lowest_bit(open)]);
+    group->count = 0;
+}
+
+INLINE void stage_shadow(SceneView view, WaveView wave, uint begin, uint end) {
+    ShadowGroup group;
+    group.count = 0;
+    for (uint i = begin; i < end; i += ONDE_WIDTH)
+        for (uint bits = shadow_bits(wave, i, end); bits; bits &= bits - 1) {
+            group.slots[group.count++] = i + lowest_bit(bits);
+            if (group.count == STREAM_WIDTH) test_shadows(view, wave, &group);
+        }
+    if (group.count > 0) test_shadows(view, wave, &group);
+}
+
+#else
+
 INLINE void stage_shadow(SceneView view, WaveView wave, uint begin, uint end) {
     for (uint i = begin; i < end; i += ONDE_WIDTH) {
-        const ShadowRay ray = load_shadow_ray(wave, i);
-        const uint bits = mask_bits(group_lanes(i, end) & (ray.distance > 0.0f));
+        const uint bits = shadow_bits(wave, i, end);
         if (!bits) continue;
+        const ShadowRay ray = load_shadow_ray(wave, i);
         const uint blocked =
             trace_occluded(view.bvh, ray.origin, ray.direction, ray.distance, bits);
         add_radiance(wave, load_path_id(wave, i), ray.radiance, bits & ~blocked);
     }
 }
+
+#endif
 
 // How many paths of the range go on.
 INLINE uint count_alive(WaveView wave, uint begin, uint end) {

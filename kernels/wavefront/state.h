@@ -5,6 +5,7 @@
 #ifndef ONDE_WAVEFRONT_STATE_H
 #define ONDE_WAVEFRONT_STATE_H
 
+#include "lib/trace_rows.h"
 #include "path/path.h"
 
 #define LANE_ORIGIN 0
@@ -75,21 +76,20 @@ INLINE void store_alive(WaveView wave, uint i, mask alive) {
                   choose(alive, (natural)(1u), (natural)(0u)));
 }
 
-INLINE Hits load_hits(WaveView wave, uint i) {
-    Hits hits;
-    hits.t = load_real(lane(wave.state, wave.stride, LANE_HIT, i));
-    hits.u = load_real(lane(wave.state, wave.stride, LANE_HIT + 1, i));
-    hits.v = load_real(lane(wave.state, wave.stride, LANE_HIT + 2, i));
-    hits.primitive = load_natural(lane(wave.state, wave.stride, LANE_HIT + 3, i));
-    hits.instance = load_natural(lane(wave.state, wave.stride, LANE_HIT + 4, i));
-    return hits;
+// Where the rays of the paths lie, and the hits that these find.
+INLINE RayRows path_rays(WaveView wave) {
+    const RayRows rows = {lane(wave.state, wave.stride, LANE_ORIGIN, 0),
+                          lane(wave.state, wave.stride, LANE_DIRECTION, 0), wave.stride};
+    return rows;
 }
-INLINE void store_hits(WaveView wave, uint i, Hits hits) {
-    store_real(lane(wave.state, wave.stride, LANE_HIT, i), hits.t);
-    store_real(lane(wave.state, wave.stride, LANE_HIT + 1, i), hits.u);
-    store_real(lane(wave.state, wave.stride, LANE_HIT + 2, i), hits.v);
-    store_natural(lane(wave.state, wave.stride, LANE_HIT + 3, i), hits.primitive);
-    store_natural(lane(wave.state, wave.stride, LANE_HIT + 4, i), hits.instance);
+INLINE HitRows path_hits(WaveView wave) {
+    const HitRows rows = {lane(wave.state, wave.stride, LANE_HIT, 0), wave.stride};
+    return rows;
+}
+INLINE RayRows shadow_rays(WaveView wave) {
+    const RayRows rows = {lane(wave.shadow, wave.stride, LANE_SHADOW_ORIGIN, 0),
+                          lane(wave.shadow, wave.stride, LANE_SHADOW_DIRECTION, 0), wave.stride};
+    return rows;
 }
 
 INLINE ShadowRay load_shadow_ray(WaveView wave, uint i) {

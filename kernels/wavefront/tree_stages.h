@@ -19,12 +19,8 @@ INLINE uint tree_generate(SceneView view, WaveJob job, NodeArena a, uint first, 
 }
 
 INLINE void tree_intersect(SceneView view, NodeArena a, uint level, uint begin, uint end) {
-    for (uint i = begin; i < end; i += ONDE_WIDTH) {
-        const real3 origin = load_node3(a, NODE_ORIGIN, i);
-        const real3 direction = load_node3(a, NODE_DIRECTION, i);
-        const uint bits = mask_bits(group_lanes(i, end));
-        store_node_hits(a, i, trace_bounce(view.bvh, origin, direction, level, bits));
-    }
+    const RayRows rays = {node_lane(a, NODE_ORIGIN, 0), node_lane(a, NODE_DIRECTION, 0), a.stride};
+    trace_rows(view.bvh, rays, node_hits(a), level, begin, end);
 }
 
 // Stores the group's own colours and starts the children in slots from `next` on. Returns the slot
@@ -34,7 +30,7 @@ INLINE uint tree_shade_group(SceneView view, WhittedView w, WaveJob job, NodeAre
                              uint i, uint end, uint next, natural* rays) {
     const mask lanes = group_lanes(i, end);
     const TreeRay ray = load_tree_ray(a, i);
-    const TreeVertex v = tree_vertex(view, w, ray, load_node_hits(a, i), lanes);
+    const TreeVertex v = tree_vertex(view, w, ray, load_hit_rows(node_hits(a), i), lanes);
     const natural path = choose(lanes, load_natural(node_lane(a, NODE_PATH, i)), (natural)(0u));
     store_node3(a, NODE_COLOR, i, tree_color(view, w, v, job_sample(job, path), lanes, rays));
     store_node3(a, NODE_FACTOR, i, arrival_factor(w, ray, v));

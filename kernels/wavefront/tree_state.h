@@ -7,6 +7,7 @@
 #define ONDE_WAVEFRONT_TREE_STATE_H
 
 #include "film/film.h"
+#include "lib/trace_rows.h"
 #include "whitted/parameters.h"
 
 #define NODE_ORIGIN 0
@@ -80,21 +81,9 @@ INLINE void push_tree_rays(NodeArena a, uint i, TreeRay ray, natural parent, nat
     compress_real(node_lane(a, NODE_PATH, i), as_real(path), bits);
 }
 
-INLINE Hits load_node_hits(NodeArena a, uint i) {
-    Hits hits;
-    hits.t = load_real(node_lane(a, NODE_HIT, i));
-    hits.u = load_real(node_lane(a, NODE_HIT + 1, i));
-    hits.v = load_real(node_lane(a, NODE_HIT + 2, i));
-    hits.primitive = load_natural(node_lane(a, NODE_HIT + 3, i));
-    hits.instance = load_natural(node_lane(a, NODE_HIT + 4, i));
-    return hits;
-}
-INLINE void store_node_hits(NodeArena a, uint i, Hits hits) {
-    store_real(node_lane(a, NODE_HIT, i), hits.t);
-    store_real(node_lane(a, NODE_HIT + 1, i), hits.u);
-    store_real(node_lane(a, NODE_HIT + 2, i), hits.v);
-    store_natural(node_lane(a, NODE_HIT + 3, i), hits.primitive);
-    store_natural(node_lane(a, NODE_HIT + 4, i), hits.instance);
+INLINE HitRows node_hits(NodeArena a) {
+    const HitRows rows = {node_lane(a, NODE_HIT, 0), a.stride};
+    return rows;
 }
 
 // The colour of one node.

@@ -55,8 +55,10 @@ gpu::Program build_engine(const EngineContext& context, const std::string& file,
     request.defines.push_back(fmt::format("ONDE_WIDTH={}", settings.width));
     request.defines.push_back(
         fmt::format("ONDE_GLOBAL_QUEUE={:d}", settings.queue == gpu::QueueKind::global));
+    // The megakernel's groups are its lanes, and packets want 16.
+    const bool can_fill = context.options.engine == Engine::wavefront || settings.width == 16;
     request.defines.push_back(
-        fmt::format("ONDE_PRIMARY_PACKETS={:d}", settings.primary_packets && settings.width == 16));
+        fmt::format("ONDE_PRIMARY_PACKETS={:d}", settings.primary_packets && can_fill));
     request.defines.insert(request.defines.end(), more_defines.begin(), more_defines.end());
     const RenderOptions& options = context.options;
     const uint64_t frame = uint64_t(options.width) * options.height * options.samples_in_flight;

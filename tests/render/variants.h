@@ -24,8 +24,8 @@ struct Variant {
 inline constexpr Variant VARIANTS[] = {
     {"fused, 16 lanes, packets", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local,
      16, true},
-    {"fused, 8 lanes", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local, 8,
-     false},
+    {"fused, 8 lanes, packets", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local,
+     8, true},
     {"fused, 1 lane", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local, 1, false},
     {"staged, 8 lanes", Engine::wavefront, gpu::Launch::staged, gpu::QueueKind::chunk_local, 8,
      false},

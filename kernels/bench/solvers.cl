@@ -57,9 +57,9 @@ __kernel void production(uint count, __global const float* rays, __global const 
         const TriangleTest16 test =
             test_triangles16(origin, direction, uniform_vectors16(triangle),
                              uniform_vectors16(triangle + 3), uniform_vectors16(triangle + 6));
-        if (!bits16(test.inside)) continue;
+        if (sign_bits16(test.outside) == 0xffffu) continue;
         const float16 t = test.t / test.determinant;
-        nearest_t = (test.inside & (t > 0.0f) & (t < nearest_t)) ? t : nearest_t;
+        nearest_t = ((test.outside >= 0) & (t > 0.0f) & (t < nearest_t)) ? t : nearest_t;
     }
     vstore16(nearest_t, 0, nearest + i);
 }

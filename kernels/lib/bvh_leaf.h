@@ -60,12 +60,12 @@ INLINE TriangleTest8 test_block(__global const uchar* block, float3 origin, floa
 INLINE Hit closest_in_block(__global const uchar* block, float3 origin, float t_min,
                             float3 direction, float near, uint instance, Hit hit) {
     const TriangleTest8 test = test_block(block, origin, direction);
-    const int8 candidates = may_hit8(test, (float8)(t_min), (float8)(hit.t));
-    if (!bits8(candidates)) return hit;
+    const int8 miss = miss8(test, (float8)(t_min), (float8)(hit.t));
+    if (sign_bits8(miss) == 0xffu) return hit;
     const float8 inverse = 1.0f / test.determinant;
     const float8 t = test.t * inverse;
     const float8 from_box = UPPER(t, (float8)(near));
-    const float8 candidate_t = (candidates & (t > t_min)) ? from_box : (float8)(INFINITY);
+    const float8 candidate_t = ((miss >= 0) & (t > t_min)) ? from_box : (float8)(INFINITY);
     const float closest = lowest_of8(candidate_t);
     if (!(closest <= hit.t) || closest == INFINITY) return hit;
 
@@ -84,10 +84,10 @@ INLINE Hit closest_in_block(__global const uchar* block, float3 origin, float t_
 INLINE uint any_in_block(__global const uchar* block, float3 origin, float t_min, float3 direction,
                          float t_max) {
     const TriangleTest8 test = test_block(block, origin, direction);
-    const int8 candidates = may_hit8(test, (float8)(t_min), (float8)(t_max));
-    if (!bits8(candidates)) return 0;
+    const int8 miss = miss8(test, (float8)(t_min), (float8)(t_max));
+    if (sign_bits8(miss) == 0xffu) return 0;
     const float8 t = test.t * (1.0f / test.determinant);
-    return bits8(candidates & (t > t_min) & (t <= t_max)) != 0;
+    return bits8((miss >= 0) & (t > t_min) & (t <= t_max)) != 0;
 }
 
 // The nearest distance in (t_min, t_max] at which the ray meets the sphere, or infinity. The

@@ -171,19 +171,20 @@ INLINE Vectors16 splat16(__global const float* rows, uint lane) {
 INLINE PacketHits closest_in_block16(__global const uchar* block, Packet rays, BoxHits box,
                                      PacketHits hits) {
     __global const float* rows = (__global const float*)block;
+    const uint box_bits = bits16(box.lanes);
     for (uint i = 0; i < BVH_LEAF_WIDTH; i++) {
         const uint primitive = as_uint(rows[72 + i]);
         if (primitive == BVH_NONE) break;
         const TriangleTest16 test = leaf_test16(rays.origin, rays.direction, splat16(rows, i),
                                                 splat16(rows + 24, i), splat16(rows + 48, i));
-        if (!bits16(test.inside & box.lanes)) continue;
-        const int16 candidates = may_hit16(test, rays.t_min, hits.t) & box.lanes;
-        if (!bits16(candidates)) continue;
+        if (!(box_bits & ~sign_bits16(test.outside))) continue;
+        const int16 miss = miss16(test, rays.t_min, hits.t);
+        if (!(box_bits & ~sign_bits16(miss))) continue;
         const float16 inverse = 1.0f / test.determinant;
         const float16 t = test.t * inverse;
         const float16 from_box = UPPER(t, box.near);
         const int16 closer =
-            candidates & (t > rays.t_min) &
+            box.lanes & (miss >= 0) & (t > rays.t_min) &
             ((from_box < hits.t) | ((from_box == hits.t) & ((uint16)(primitive) < hits.primitive)));
         hits.t = closer ? from_box : hits.t;
         hits.u = closer ? test.u * inverse : hits.u;

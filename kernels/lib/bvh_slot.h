@@ -23,7 +23,7 @@ INLINE TriangleTest1 test_slot(__global const BvhSlot* slot, PlacedRay ray) {
 INLINE Hit closest_on_triangle(__global const BvhSlot* slot, PlacedRay ray, float t_min, float near,
                                Hit hit) {
     const TriangleTest1 test = test_slot(slot, ray);
-    if (!may_hit1(test, t_min, hit.t)) return hit;
+    if (miss1(test, t_min, hit.t) < 0) return hit;
     const float inverse = 1.0f / test.determinant;
     const float t = test.t * inverse;
     if (!(t > t_min)) return hit;
@@ -64,7 +64,7 @@ INLINE uint any_in_slot(BvhView bvh, __global const BvhSlot* slot, PlacedRay ray
                               t_max) != INFINITY;
 #endif
     const TriangleTest1 test = test_slot(slot, ray);
-    if (!may_hit1(test, t_min, t_max)) return 0;
+    if (miss1(test, t_min, t_max) < 0) return 0;
     const float t = test.t * (1.0f / test.determinant);
     return t > t_min && t <= t_max;
 }

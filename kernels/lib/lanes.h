@@ -117,6 +117,23 @@ INLINE uint bits16(int16 m) {
 #endif
 }
 
+// One bit per lane whose sign is set. Signs that are OR-ed together stay in one register, where
+// masks of comparisons that are combined are packed to bytes and unpacked again (LLVM 15, AVX2).
+INLINE uint sign_bits8(int8 a) {
+#if ONDE_AVX512 || ONDE_AVX2
+    return bits8(a);
+#else
+    return bits8(a >> 31);
+#endif
+}
+INLINE uint sign_bits16(int16 a) {
+#if ONDE_AVX512
+    return bits16(a);
+#else
+    return sign_bits8(a.lo) | sign_bits8(a.hi) << 8;
+#endif
+}
+
 #if ONDE_WIDTH == 1
 
 INLINE uint mask_bits(mask m) {

@@ -22,7 +22,7 @@
     /* The solution times the determinant, which is not negative; the division comes later. */     \
     typedef struct {                                                                               \
         float##N determinant, t, u, v;                                                             \
-        int##N inside; /* the barycentric coordinates are those of a hit */                        \
+        int##N outside; /* the sign is set unless the barycentric coordinates are a hit's */       \
     } TriangleTest##N;                                                                             \
                                                                                                    \
     INLINE Vectors##N cross##N(Vectors##N a, Vectors##N b) {                                       \
@@ -39,6 +39,14 @@
         return as_float##N(as_int##N(a) ^ sign);                                                   \
     }                                                                                              \
                                                                                                    \
+    /* Of the three coordinates times the determinant, none of which may be below 0, and of the    \
+       determinant, which must be above. (-0 + 0 is 0; the bits of 0 less one are negative.) */    \
+    INLINE int##N sign_unless_inside##N(float##N u, float##N v, float##N w,                        \
+                                        float##N determinant) {                                    \
+        return as_int##N(u + 0.0f) | as_int##N(v + 0.0f) | as_int##N(w + 0.0f) |                   \
+               (as_int##N(determinant) - 1);                                                       \
+    }                                                                                              \
+                                                                                                   \
     INLINE TriangleTest##N test_triangles##N(Vectors##N origin, Vectors##N direction,              \
                                              Vectors##N v0, Vectors##N e1, Vectors##N e2) {        \
         const Vectors##N c = {v0.x - origin.x, v0.y - origin.y, v0.z - origin.z};                  \
@@ -50,15 +58,16 @@
         test.u = flip_sign##N(dot##N(across, e2), sign ^ (int)0x80000000);                         \
         test.v = flip_sign##N(dot##N(across, e1), sign);                                           \
         test.t = flip_sign##N(dot##N(normal, c), sign);                                            \
-        test.inside = (test.u >= 0.0f) & (test.v >= 0.0f) &                                        \
-                      (test.u + test.v <= test.determinant) & (test.determinant > 0.0f);           \
+        test.outside = sign_unless_inside##N(test.u, test.v, test.determinant - (test.u + test.v), \
+                                             test.determinant);                                    \
         return test;                                                                               \
     }                                                                                              \
                                                                                                    \
-    /* Whether t may lie in [t_min, t_max]. */                                                     \
-    INLINE int##N may_hit##N(TriangleTest##N test, float##N t_min, float##N t_max) {               \
-        return test.inside & (test.t >= test.determinant * (t_min * (1.0f - TRIANGLE_SLACK))) &    \
-               (test.t <= test.determinant * (t_max * (1.0f + TRIANGLE_SLACK)));                   \
+    /* The sign is set unless t may lie in [t_min, t_max], and the rest is that of a hit. */       \
+    INLINE int##N miss##N(TriangleTest##N test, float##N t_min, float##N t_max) {                  \
+        const float##N lowest = test.determinant * (t_min * (1.0f - TRIANGLE_SLACK));              \
+        const float##N highest = test.determinant * (t_max * (1.0f + TRIANGLE_SLACK));             \
+        return test.outside | as_int##N(test.t - lowest) | as_int##N(highest - test.t);            \
     }
 
 // Scalars as vectors of one; their comparisons give 1 where those of vectors give -1.

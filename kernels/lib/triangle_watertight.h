@@ -58,8 +58,8 @@
         test.u = flip_sign##N(of_b, sign);                                                         \
         test.v = flip_sign##N(of_c, sign);                                                         \
         test.t = flip_sign##N(fma(of_a, a.z, fma(of_b, b.z, of_c * c.z)) * inverse_z, sign);       \
-        test.inside = (test.u >= 0.0f) & (test.v >= 0.0f) & (flip_sign##N(of_a, sign) >= 0.0f) &   \
-                      (test.determinant > 0.0f);                                                   \
+        test.outside =                                                                             \
+            sign_unless_inside##N(test.u, test.v, flip_sign##N(of_a, sign), test.determinant);     \
         return test;                                                                               \
     }
 

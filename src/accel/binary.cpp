@@ -11,30 +11,30 @@ namespace {
 
 class BinaryBuilder {
   public:
-    BinaryBuilder(BinaryTree& tree, const BvhOptions& options)
-        : tree_(tree), max_bins_(std::clamp(options.bins, 2u, MAX_BINS)),
+    BinaryBuilder(BinaryTree& tree, std::span<Reference> references, const BvhOptions& options)
+        : tree_(tree), references_(references), max_bins_(std::clamp(options.bins, 2u, MAX_BINS)),
           leaf_triangles_(shape_of(options.layout).leaf_triangles), parallel_(options.parallel) {}
 
     void build() {
-        const auto count = uint32_t(tree_.references.size());
+        const auto count = uint32_t(references_.size());
         Extent extent;
         fold_ranges(extent, count, parallel_, [&](Extent& part, size_t begin, size_t end) {
-            for (size_t i = begin; i < end; ++i) part.extend(tree_.references[i].box());
+            for (size_t i = begin; i < end; ++i) part.extend(references_[i].box());
         });
+        tree_.nodes.grow_by(1);
         build_node(0, 0, count, extent);
-        tree_.node_count = next_;
     }
 
   private:
     void build_node(uint32_t node, uint32_t begin, uint32_t count, const Extent& extent) {
-        const auto references = std::span(tree_.references).subspan(begin, count);
+        const auto references = references_.subspan(begin, count);
         if (fits_leaf(references)) {
             tree_.nodes[node] = {extent.box.low, extent.box.high, 0, begin, count, 0};
             return;
         }
         Extent sides[2];
         const uint32_t left = divide(references, extent, sides);
-        const uint32_t child = next_.fetch_add(2, std::memory_order_relaxed);
+        const uint32_t child = tree_.add_children();
         tree_.nodes[node] = {extent.box.low, extent.box.high, child, begin, count, 0};
         run_both(
             parallel_ && count > TASK_SIZE, [&] { build_node(child, begin, left, sides[0]); },
@@ -59,7 +59,7 @@ class BinaryBuilder {
     static constexpr uint32_t TASK_SIZE = 1024;
 
     BinaryTree& tree_;
-    std::atomic<uint32_t> next_{1};
+    std::span<Reference> references_;
     uint32_t max_bins_, leaf_triangles_;
     bool parallel_;
 };
@@ -68,10 +68,9 @@ class BinaryBuilder {
 
 BinaryTree build_binary(std::vector<Reference> references, const BvhOptions& options) {
     BinaryTree tree;
-    tree.references = std::move(references);
-    if (tree.is_empty()) return tree;
-    tree.nodes = std::make_unique_for_overwrite<BinaryNode[]>(2 * tree.references.size());
-    BinaryBuilder(tree, options).build();
+    if (references.empty()) return tree;
+    BinaryBuilder(tree, references, options).build();
+    tree.keep_origins(references);
     return tree;
 }
 

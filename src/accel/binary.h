@@ -3,15 +3,15 @@
 
 #include "accel/reference.h"
 
-#include <atomic>
-#include <memory>
+#include <tbb/concurrent_vector.h>
+
 #include <span>
 #include <vector>
 
 namespace onde::accel {
 
 /// An inner node has two adjacent children; a leaf has references that share a block, or one
-/// single. Trivial, so that an array of them costs nothing before it is filled.
+/// single.
 struct BinaryNode {
     Lanes low, high;
     uint32_t first_child; ///< 0: a leaf (the root is nobody's child)
@@ -25,12 +25,18 @@ struct BinaryNode {
 
 /// Node 0 is the root. The order of the other nodes depends on threads; the shape does not.
 struct BinaryTree {
-    std::vector<Reference> references; ///< partitioned
-    std::unique_ptr<BinaryNode[]> nodes;
-    uint32_t node_count = 0;
+    std::vector<Origin> origins; ///< of the references that the nodes count
+    tbb::concurrent_vector<BinaryNode> nodes;
 
-    bool is_empty() const { return references.empty(); }
-    bool is_single(const BinaryNode& leaf) const { return references[leaf.begin].is_single(); }
+    bool is_empty() const { return nodes.empty(); }
+
+    /// Two adjacent nodes, still to be set; returns the first. Safe from several threads.
+    uint32_t add_children() { return uint32_t(nodes.grow_by(2) - nodes.begin()); }
+    /// Boxes are no longer wanted when a tree is split; they are most of a reference.
+    void keep_origins(std::span<const Reference> references) {
+        origins.reserve(references.size());
+        for (const Reference& reference : references) origins.push_back(reference.origin());
+    }
 };
 
 /// What the nodes and leaves of a layout hold.

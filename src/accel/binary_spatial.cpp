@@ -22,25 +22,26 @@ struct Range {
 
 class SpatialBinaryBuilder {
   public:
-    SpatialBinaryBuilder(BinaryTree& tree, std::span<const Geometry> geometries,
-                         const BvhOptions& options)
-        : tree_(tree), geometries_(geometries), max_bins_(std::clamp(options.bins, 2u, MAX_BINS)),
+    SpatialBinaryBuilder(BinaryTree& tree, std::span<Reference> references,
+                         std::span<const Geometry> geometries, const BvhOptions& options)
+        : tree_(tree), references_(references), geometries_(geometries),
+          max_bins_(std::clamp(options.bins, 2u, MAX_BINS)),
           leaf_triangles_(shape_of(options.layout).leaf_triangles), parallel_(options.parallel) {}
 
     void build(uint32_t count) {
-        const auto room = uint32_t(tree_.references.size()) - count;
+        const auto room = uint32_t(references_.size()) - count;
         Extent extent;
         fold_ranges(extent, count, parallel_, [&](Extent& part, size_t begin, size_t end) {
-            for (size_t i = begin; i < end; ++i) part.extend(tree_.references[i].box());
+            for (size_t i = begin; i < end; ++i) part.extend(references_[i].box());
         });
         least_overlap_ = LEAST_OVERLAP * half_area(extent.box);
+        tree_.nodes.grow_by(1);
         build_node(0, {0, count, room}, extent);
-        tree_.node_count = next_;
     }
 
   private:
     void build_node(uint32_t node, const Range& range, const Extent& extent) {
-        const auto references = std::span(tree_.references).subspan(range.begin, range.count);
+        const auto references = references_.subspan(range.begin, range.count);
         if (fits_leaf(references)) {
             tree_.nodes[node] = {extent.box.low, extent.box.high, 0, range.begin, range.count, 0};
             return;
@@ -48,7 +49,7 @@ class SpatialBinaryBuilder {
         const SpatialSides sides = divide(range, extent);
         Range parts[2];
         share_out(range, sides, parts);
-        const uint32_t child = next_.fetch_add(2, std::memory_order_relaxed);
+        const uint32_t child = tree_.add_children();
         tree_.nodes[node] = {extent.box.low, extent.box.high, child, range.begin, range.count, 0};
         run_both(
             parallel_ && range.count > TASK_SIZE,
@@ -63,7 +64,7 @@ class SpatialBinaryBuilder {
     }
 
     SpatialSides divide(const Range& range, const Extent& extent) {
-        const auto references = std::span(tree_.references).subspan(range.begin, range.count);
+        const auto references = references_.subspan(range.begin, range.count);
         const uint32_t bins = std::min<uint32_t>(max_bins_, 4 + range.count / 4);
         const BinGrid grid(extent.centers, bins);
         const Split split = find_split(references, grid, parallel_);
@@ -101,7 +102,7 @@ class SpatialBinaryBuilder {
         parts[0] = {range.begin, sides.counts[0], room};
         parts[1] = {range.begin + sides.counts[0] + room, sides.counts[1], rest - room};
         // The right side makes way: its first references go behind its last.
-        Reference* right = &tree_.references[range.begin + sides.counts[0]];
+        Reference* right = &references_[range.begin + sides.counts[0]];
         const uint32_t moved = std::min(room, sides.counts[1]);
         std::copy_n(right, moved, right + room + sides.counts[1] - moved);
     }
@@ -115,8 +116,8 @@ class SpatialBinaryBuilder {
     static constexpr uint32_t TASK_SIZE = 1024;
 
     BinaryTree& tree_;
+    std::span<Reference> references_;
     std::span<const Geometry> geometries_;
-    std::atomic<uint32_t> next_{1};
     uint32_t max_bins_, leaf_triangles_;
     float least_overlap_ = 0;
     bool parallel_;
@@ -130,11 +131,10 @@ BinaryTree build_binary_spatial(std::vector<Reference> references,
     const auto count = uint32_t(references.size());
     if (count == 0) return tree;
     add_margins(references, options.parallel);
-    tree.references = std::move(references);
     const double share = std::clamp(double(options.extra_references), 0.0, 1.0);
-    tree.references.resize(count + size_t(share * count));
-    tree.nodes = std::make_unique_for_overwrite<BinaryNode[]>(2 * tree.references.size());
-    SpatialBinaryBuilder(tree, geometries, options).build(count);
+    references.resize(count + size_t(share * count));
+    SpatialBinaryBuilder(tree, references, geometries, options).build(count);
+    tree.keep_origins(references);
     return tree;
 }
 

@@ -8,7 +8,7 @@ namespace onde::accel {
 
 Collapse::Collapse(BinaryTree tree, const BvhOptions& options)
     : tree_(std::move(tree)), options_(options), width_(shape_of(options.layout).width),
-      shares_(tree_.node_count) {
+      shares_(tree_.nodes.size()) {
     // Without a plan every node keeps its two children.
     const bool plain =
         options.builder == BvhBuilder::median || options.builder == BvhBuilder::median_spatial;

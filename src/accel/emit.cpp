@@ -85,20 +85,20 @@ class Emitter {
 
     /// Returns the leaf's child word and moves `place` past what it wrote.
     uint32_t emit_leaf(const BinaryNode& leaf, WidePlace& place) const {
-        const Reference& first = tree_.references[leaf.begin];
+        const Origin first = tree_.origins[leaf.begin];
         if (!first.is_single()) {
             emit_block(leaf, out_.blocks[place.block]);
             return BVH_LEAF_TRIANGLES | place.block++;
         }
-        if (first.owner() == Reference::INSTANCE) return BVH_LEAF_INSTANCE | first.index();
+        if (first.owner == Origin::INSTANCE) return BVH_LEAF_INSTANCE | first.index;
         const bool is_shape = emit_single(first, out_.spheres[place.sphere]);
         return (is_shape ? BVH_LEAF_SHAPE : BVH_LEAF_SPHERE) | place.sphere++;
     }
 
     void emit_block(const BinaryNode& leaf, TriangleBlock& block) const {
-        Reference members[BVH_LEAF_WIDTH];
+        Origin members[BVH_LEAF_WIDTH];
         for (uint32_t i = 0; i < leaf.count; ++i) {
-            const Reference& added = tree_.references[leaf.begin + i];
+            const Origin added = tree_.origins[leaf.begin + i];
             uint32_t lane = i;
             for (; lane > 0 && primitive(added) < primitive(members[lane - 1]); --lane)
                 members[lane] = members[lane - 1];
@@ -107,15 +107,15 @@ class Emitter {
         block = {};
         std::fill_n(block.primitive, BVH_LEAF_WIDTH, BVH_NONE);
         for (uint32_t lane = 0; lane < leaf.count; ++lane)
-            set_triangle(block, lane, geometries_[members[lane].owner()], members[lane].index(),
+            set_triangle(block, lane, geometries_[members[lane].owner], members[lane].index,
                          out_.watertight);
     }
 
     /// Whether it is a shape, else a sphere.
-    bool emit_single(const Reference& reference, BvhSphere& out) const {
-        const Geometry& geometry = geometries_[reference.owner() & ~Reference::SINGLE];
-        const uint32_t id = geometry.first_primitive + reference.index();
-        const size_t sphere = reference.index() - geometry.triangles.size();
+    bool emit_single(Origin origin, BvhSphere& out) const {
+        const Geometry& geometry = geometries_[origin.owner & ~Origin::SINGLE];
+        const uint32_t id = geometry.first_primitive + origin.index;
+        const size_t sphere = origin.index - geometry.triangles.size();
         if (sphere >= geometry.spheres.size()) {
             const ShapeInput& shape = geometry.shapes[sphere - geometry.spheres.size()];
             out = {{}, shape.minor_radius, id, shape.kind, {}};
@@ -126,8 +126,8 @@ class Emitter {
         return false;
     }
 
-    uint32_t primitive(const Reference& reference) const {
-        return geometries_[reference.owner()].first_primitive + reference.index();
+    uint32_t primitive(Origin origin) const {
+        return geometries_[origin.owner].first_primitive + origin.index;
     }
 
     const WideTree& wide_;

@@ -10,11 +10,21 @@
 
 namespace onde::accel {
 
-/// 32 bytes, partitioned in place by the builder. A reference with the SINGLE bit needs a leaf of
-/// its own; triangles share leaf blocks.
-struct Reference {
+/// Where a reference came from: what is left of it once the tree is split. With the SINGLE bit it
+/// needs a leaf of its own; triangles share leaf blocks.
+struct Origin {
     static constexpr uint32_t SINGLE = 0x80000000u;
     static constexpr uint32_t INSTANCE = 0xffffffffu; ///< as owner: `index` is a placement
+
+    uint32_t owner; ///< the geometry, with SINGLE for its spheres and shapes; or INSTANCE
+    uint32_t index; ///< within the geometry: triangles first, then spheres, then shapes
+
+    bool is_single() const { return owner & SINGLE; }
+};
+
+/// 32 bytes, partitioned in place by the builder.
+struct Reference {
+    static constexpr uint32_t SINGLE = Origin::SINGLE, INSTANCE = Origin::INSTANCE;
 
     Lanes low_owner;  ///< low corner; the fourth lane holds the owner's bits
     Lanes high_index; ///< high corner; the fourth lane holds the index's bits
@@ -26,10 +36,10 @@ struct Reference {
         high_index[3] = std::bit_cast<float>(index);
     }
 
-    /// The geometry, with SINGLE for its spheres and shapes; or INSTANCE.
+    /// As those of Origin.
     uint32_t owner() const { return std::bit_cast<uint32_t>(float(low_owner[3])); }
-    /// Within the geometry: triangles first, then spheres, then shapes.
     uint32_t index() const { return std::bit_cast<uint32_t>(float(high_index[3])); }
+    Origin origin() const { return {owner(), index()}; }
     bool is_single() const { return owner() & SINGLE; }
 
     Box box() const {

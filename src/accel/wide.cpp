@@ -35,7 +35,7 @@ WideTree::WideTree(std::vector<Reference> references, std::span<const WideSize> 
                    std::span<const Geometry> geometries, const BvhOptions& options)
     : collapse_(split_tree(std::move(references), geometries, options), options),
       parallel_(options.parallel), root_is_node_(shape_of(options.layout).root_is_node),
-      sizes_(collapse_.tree().node_count), root_size_(measure_root(instances)) {}
+      sizes_(collapse_.tree().nodes.size()), root_size_(measure_root(instances)) {}
 
 Box WideTree::box() const {
     return collapse_.tree().is_empty() ? Box{} : collapse_.tree().nodes[0].box();
@@ -52,10 +52,10 @@ WideSize WideTree::measure_root(std::span<const WideSize> instances) {
 }
 
 WideSize WideTree::measure_leaf(const BinaryNode& leaf, std::span<const WideSize> instances) const {
-    const Reference& reference = collapse_.tree().references[leaf.begin];
-    if (!reference.is_single()) return {.blocks = 1};
-    if (reference.owner() != Reference::INSTANCE) return {.spheres = 1};
-    const WideSize& inside = instances[reference.index()];
+    const Origin origin = collapse_.tree().origins[leaf.begin];
+    if (!origin.is_single()) return {.blocks = 1};
+    if (origin.owner != Origin::INSTANCE) return {.spheres = 1};
+    const WideSize& inside = instances[origin.index];
     // A sentinel waits below everything that the instance's own tree pushes.
     return {.depth = inside.depth, .stack = inside.stack + 1};
 }

@@ -55,7 +55,7 @@ void check_same_work(const Result& result, const Frame& frame) {
 class Race {
   public:
     Race(const gpu::Device& device, const Scene& scene, const Options& options, uint32_t threads)
-        : device_scene_(device, pack_scene(scene, {.layout = default_layout(device.facts())})),
+        : device_scene_(device, pack_scene(scene, {.layout = known_layout(device.facts())})),
           native_(scene, options.frame, threads) {
         const Camera& camera = scene.cameras.at(0);
         for (const Variant& variant : choose_variants(device.facts(), options.variants)) {

@@ -8,6 +8,7 @@
 #include "render/render_loop.h"
 #include "support/reference/reference.h"
 #include "upload/device_scene.h"
+#include "upload/layout_choice.h"
 
 #include <memory>
 #include <string>

@@ -18,7 +18,7 @@ struct Options {
     std::vector<std::string> scenes;
     uint32_t side = 512;
     RaceOptions race;
-    BvhBuilder builder = BvhOptions{}.builder;
+    BvhBuilder builder = BvhBuilder::high;
     std::string device, json, kernels;
 };
 
@@ -46,7 +46,8 @@ void run(const Options& options) {
     const std::vector<Model> models = load_models(options.scenes);
     const gpu::Device device = gpu::open_device(options.device);
     const gpu::KernelSources sources = gpu::KernelSources::from(options.kernels);
-    fmt::print("{}; Embree {}, quality high, {} threads\n", device.facts().name, RTC_VERSION_STRING,
+    fmt::print("{}, --bvh {}; Embree {}, quality high, {} threads\n", device.facts().name,
+               options.builder == BvhBuilder::high ? "high" : "sah", RTC_VERSION_STRING,
                std::thread::hardware_concurrency());
     std::vector<SetReport> reports;
     for (const Model& model : models) {
@@ -71,7 +72,8 @@ int main(int argc, char** argv) {
               "count processor time instead of wall-clock time, for busy machines");
     const std::map<std::string, onde::BvhBuilder> trees{{"sah", onde::BvhBuilder::sah},
                                                         {"high", onde::BvhBuilder::high}};
-    root.choice("--bvh", options.builder, trees, "Onde's tree; else the one that renders use");
+    root.choice("--bvh", options.builder, trees,
+                "Onde's tree: high, the counterpart of Embree's quality high, or what renders use");
     onde::bench::add_device(root, options.device);
     onde::bench::add_kernels(root, options.kernels);
     onde::bench::add_repetitions(root, options.race.repetitions);

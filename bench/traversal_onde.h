@@ -1,53 +1,23 @@
-// Onde as a contender: its tree and its kernels on an OpenCL device.
+// Onde as a contender: the trees that take part, from one builder.
 #pragma once
 
-#include "gpu/program.h"
 #include "traversal_rays.h"
-#include "upload/device_tree.h"
 
 namespace onde::bench {
 
-/// A ray set in device memory, and room for its answers.
-struct DeviceRays {
-    gpu::Buffer<Ray> rays;
-    gpu::Buffer<Hit> hits;
-    gpu::Buffer<uint32_t> blocked;
-
-    DeviceRays(const gpu::Device& device, std::span<const Ray> set)
-        : rays(device, set), hits(device, set.size()), blocked(device, set.size()) {}
-};
-
-/// One tree and its kernels.
-class OndeTracer {
-  public:
-    OndeTracer(const gpu::Device& device, const gpu::KernelSources& sources,
-               const Geometry& geometry, const BvhOptions& options);
-
-    /// Each launches one kernel over the set and waits for it. Packets and streams walk the wide
-    /// layout only.
-    void closest(const DeviceRays& set);
-    void closest_packet(const DeviceRays& set);
-    void occluded(const DeviceRays& set);
-    void closest_stream(const DeviceRays& set);
-    void occluded_stream(const DeviceRays& set);
-
-  private:
-    template <class Result>
-    void launch(const char* kernel, size_t items, const DeviceRays& set,
-                const gpu::Buffer<Result>& results);
-
-    const gpu::Device& device_;
-    Bvh bvh_;
-    DeviceTree tree_;
-    gpu::Program program_;
-};
-
-/// The trees that take part, from one builder.
 struct OndeTracers {
-    OndeTracer wide, watertight, compressed, binary;
+    TreeWalker wide, portable, watertight, compressed, binary;
 
     OndeTracers(const gpu::Device& device, const gpu::KernelSources& sources,
-                const Geometry& geometry, BvhBuilder builder);
+                const Geometry& geometry, BvhBuilder builder)
+        : wide(device, sources, nullptr, geometry, {.builder = builder}),
+          portable(device, sources, nullptr, geometry, {.builder = builder},
+                   {"ONDE_AVX512=0", "ONDE_AVX2=0"}),
+          watertight(device, sources, nullptr, geometry, {.builder = builder, .watertight = true}),
+          compressed(device, sources, nullptr, geometry,
+                     {.builder = builder, .layout = BvhLayout::compressed}),
+          binary(device, sources, nullptr, geometry,
+                 {.builder = builder, .layout = BvhLayout::binary}) {}
 };
 
 } // namespace onde::bench

@@ -44,11 +44,12 @@ class Race {
         expected_hits_ = hits_;
         expected_blocked_ = blocked_;
         for (const EmbreeMode& mode : embree_modes(embree)) add(embree, mode);
-        const auto single = set.any_hit ? &OndeTracer::occluded : &OndeTracer::closest;
+        const auto single = set.any_hit ? &TreeWalker::occluded : &TreeWalker::closest;
         add("onde single", Side::onde, onde.wide, single);
-        if (!set.any_hit) add("onde packet", Side::onde, onde.wide, &OndeTracer::closest_packet);
+        if (!set.any_hit) add("onde packet", Side::onde, onde.wide, &TreeWalker::closest_packet);
         add("onde stream", Side::onde, onde.wide,
-            set.any_hit ? &OndeTracer::occluded_stream : &OndeTracer::closest_stream);
+            set.any_hit ? &TreeWalker::occluded_stream : &TreeWalker::closest_stream);
+        add("onde portable single", Side::onde, onde.portable, single);
         add("onde watertight single", Side::onde_watertight, onde.watertight, single);
         add("onde compressed single", Side::onde, onde.compressed, single);
         add("onde binary single", Side::onde, onde.binary, single);
@@ -90,8 +91,8 @@ class Race {
                                [this] { return mismatches(hits_, blocked_); }});
     }
 
-    void add(const char* name, Side side, OndeTracer& onde,
-             void (OndeTracer::*trace)(const DeviceRays&)) {
+    void add(const char* name, Side side, TreeWalker& onde,
+             void (TreeWalker::*trace)(const WalkRays&)) {
         contenders_.push_back({name, side, [this, &onde, trace] { (onde.*trace)(on_device_); },
                                [this] {
                                    return mismatches(on_device_.hits.read(device_),
@@ -106,7 +107,7 @@ class Race {
 
     const RaySet& set_;
     const gpu::Device& device_;
-    DeviceRays on_device_;
+    WalkRays on_device_;
     std::vector<Hit> hits_, expected_hits_;
     std::vector<uint32_t> blocked_, expected_blocked_;
     std::vector<Contender> contenders_;

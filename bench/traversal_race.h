@@ -22,7 +22,8 @@ struct RaceOptions {
 };
 
 /// Times every mode of Embree's, and Onde's trees: the wide one ray by ray, in packets where those
-/// find closest hits, and in streams; the others ray by ray. The reference is Embree's single ray:
+/// find closest hits, and in streams; the others, and the code without machine instructions, ray by
+/// ray. The reference is Embree's single ray:
 /// a hit differs when t does by more than 1e-4 of it. `set` is not empty.
 std::vector<Timing> race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree,
                          OndeTracers& onde, const RaceOptions& options);

@@ -3,23 +3,12 @@
 #pragma once
 
 #include "model.h"
+#include "upload/tree_walker.h"
 
 namespace onde::bench {
 
-struct Ray {
-    glm::vec3 origin{0.0f};
-    float t_min = 0.0f;
-    glm::vec3 direction{0.0f};
-    float t_max = 1e30f;
-};
-static_assert(sizeof(Ray) == 32);
-
-/// As the kernels write it.
-struct Hit {
-    float t, u, v;
-    uint32_t primitive, instance;
-};
-static_assert(sizeof(Hit) == 20);
+using Ray = WalkRay;
+using Hit = WalkHit;
 
 struct RaySet {
     std::string name;

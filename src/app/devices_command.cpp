@@ -1,7 +1,9 @@
 #include "app/devices_command.h"
 
 #include "app/json.h"
-#include "gpu/device.h"
+#include "core/error.h"
+#include "core/log.h"
+#include "upload/layout_choice.h"
 
 #include <fmt/format.h>
 
@@ -80,15 +82,55 @@ void print_json(const std::vector<PlatformReport>& platforms) {
     fmt::print("{}", json_text({{"platforms", all}}));
 }
 
+Json rates_json(const DeviceFacts& facts, std::span<const LayoutRate> rates) {
+    Json layouts = Json::array();
+    for (const LayoutRate& rate : rates)
+        layouts.push_back({{"layout", layout_name(rate.layout)}, {"mrays", rate.mrays}});
+    return {{"device", facts.name},
+            {"layouts", layouts},
+            {"chosen", layout_name(fastest_layout(rates))}};
+}
+
+void print_rates(const DeviceFacts& facts, std::span<const LayoutRate> rates) {
+    fmt::print("{}\n{:<12} {:>9}\n", facts.name, "layout", "Mrays/s");
+    for (const LayoutRate& rate : rates)
+        fmt::print("{:<12} {:9.2f}\n", layout_name(rate.layout), rate.mrays);
+    fmt::print("{} is what renders on this device use from now on\n",
+               layout_name(fastest_layout(rates)));
+}
+
+struct DevicesRequest {
+    bool json = false, measure = false;
+    std::string device;
+};
+
+void measure(const DevicesRequest& request) {
+    set_up_logging(false);
+    const gpu::Device device = gpu::open_device(request.device);
+    const gpu::ProgramCache cache;
+    const auto rates = measure_layouts(device, gpu::KernelSources::embedded(), &cache);
+    LayoutMemory().remember(device.facts(), fastest_layout(rates));
+    if (request.json)
+        fmt::print("{}", json_text(rates_json(device.facts(), rates)));
+    else
+        print_rates(device.facts(), rates);
+}
+
 } // namespace
 
 void add_devices_command(Command& root) {
     Command devices = root.add_command("devices", "List the OpenCL devices of this machine");
-    const auto as_json = std::make_shared<bool>(false);
-    devices.flag("--json", *as_json, "Print JSON");
-    devices.on_run([as_json] {
+    const auto request = std::make_shared<DevicesRequest>();
+    devices.flag("--json", request->json, "Print JSON");
+    devices.flag("--measure", request->measure,
+                 "Measure which layout of the tree suits a device, and remember it");
+    devices.option("--device", &request->device, "The device to measure, as for render");
+    devices.on_run([request] {
+        if (request->measure) return measure(*request);
+        if (!request->device.empty())
+            throw InputError("--device says what --measure measures; add --measure");
         const std::vector<PlatformReport> platforms = gpu::list_platforms();
-        if (*as_json)
+        if (request->json)
             print_json(platforms);
         else
             print_table(platforms);

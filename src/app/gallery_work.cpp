@@ -71,7 +71,7 @@ GalleryWork load_work(const fs::path& file, std::optional<uint32_t> samples,
 }
 
 bool paint(GalleryWork& work, const GalleryStudio& studio, const fs::path& folder) {
-    const BvhOptions tree = resolve_tree({}, studio.device.facts());
+    const BvhOptions tree = resolve_tree({}, studio.device, studio.sources);
     const DeviceScene placed(studio.device, pack_scene(work.scene, tree));
     const IntegratorContext context{studio.device, studio.sources,
                                     studio.cache,  &work.scene,

@@ -5,6 +5,7 @@
 #include "gpu/device.h"
 #include "render/memory_plan.h"
 #include "scene/load.h"
+#include "upload/layout_choice.h"
 
 #include <fmt/format.h>
 
@@ -83,7 +84,7 @@ DeviceMemory plan_device_memory(const Scene& scene) {
     const gpu::DeviceFacts facts = default_device();
     DeviceMemory memory{facts.name, resolve_options({}, scene, facts), {}};
     memory.plan = plan_memory(memory.options);
-    memory.plan.scene = pack_scene(scene, resolve_tree({}, facts)).device_buffers();
+    memory.plan.scene = pack_scene(scene, {.layout = known_layout(facts)}).device_buffers();
     return memory;
 }
 

@@ -104,11 +104,12 @@ bool run(const RenderRequest& request) {
     check_memory(plan, device.facts());
 
     const Timer packing;
-    PackedScene packed = pack_scene(scene, resolve_tree(request, device.facts()));
+    PackedScene packed = pack_scene(scene, resolve_tree(request, device, sources));
     plan.scene = packed.device_buffers();
     check_memory(plan, device.facts());
     const DeviceScene device_scene(device, std::move(packed));
     report.pack_seconds = packing.seconds();
+    report.layout = device_scene.packed().bvh.layout;
     report.bvh = device_scene.packed().bvh.statistics;
     report.scene_bytes = total_bytes(plan.scene);
 

@@ -2,6 +2,7 @@
 
 #include "app/json.h"
 #include "core/files.h"
+#include "upload/layout_choice.h"
 
 #include <fmt/format.h>
 
@@ -45,10 +46,10 @@ void print_report(const RenderReport& r) {
     fmt::print("engine    {}: {}\n", engine_name(r.options), gpu::describe(r.options.settings));
     fmt::print("scene     {} triangles, {} spheres, {} instances; loaded in {:.3f} s\n",
                r.bvh.triangles, r.bvh.spheres, r.bvh.instances, r.load_seconds);
-    fmt::print("bvh       {} nodes, {} leaf blocks, SAH cost {:.1f}; built in {:.3f} s "
+    fmt::print("bvh       {}: {} nodes, {} leaf blocks, SAH cost {:.1f}; built in {:.3f} s "
                "({:.2f} Mtriangles/s)\n",
-               r.bvh.nodes, r.bvh.blocks, r.bvh.sah_cost, r.bvh.build_seconds,
-               mega(r.bvh.triangles / std::max(r.bvh.build_seconds, 1e-9)));
+               layout_name(r.layout), r.bvh.nodes, r.bvh.blocks, r.bvh.sah_cost,
+               r.bvh.build_seconds, mega(r.bvh.triangles / std::max(r.bvh.build_seconds, 1e-9)));
     fmt::print("kernels   {} in {:.3f} s\n",
                r.kernels.from_cache ? "loaded from the cache" : "compiled", r.kernels.seconds);
     fmt::print("memory    scene {:.1f} MiB, paths in flight {:.1f} MiB, film {:.1f} MiB\n",
@@ -80,6 +81,7 @@ void write_report(const RenderReport& r, const std::filesystem::path& path) {
         {"triangles", r.bvh.triangles},
         {"spheres", r.bvh.spheres},
         {"instances", r.bvh.instances},
+        {"layout", layout_name(r.layout)},
         {"load_seconds", r.load_seconds},
         {"bvh_seconds", r.bvh.build_seconds},
         {"pack_seconds", r.pack_seconds},

@@ -15,6 +15,7 @@ struct RenderReport {
     std::string scene, scene_hash;
     RenderOptions options;
     gpu::DeviceFacts device;
+    BvhLayout layout = BvhLayout::wide;
     BvhStatistics bvh;
     gpu::BuildReport kernels;
     double load_seconds = 0, pack_seconds = 0, write_seconds = 0, total_seconds = 0;

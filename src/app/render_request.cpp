@@ -5,7 +5,7 @@
 #include "core/log.h"
 #include "render/frame.h"
 #include "scene/load.h"
-#include "upload/device_tree.h"
+#include "upload/layout_choice.h"
 
 #include <fmt/ranges.h>
 
@@ -106,7 +106,7 @@ void declare_estimator(Command& command, RenderRequest& r) {
                    "Tree of boxes: fast to build (sah), fast to walk (high), or a plain one to "
                    "compare with");
     command.choice("--layout", r.layout, LAYOUTS,
-                   "How the tree lies in memory (wide on CPUs, compressed on GPUs)");
+                   "How the tree lies in memory (wide on CPUs, measured once on others)");
     command.flag("--watertight", r.bvh.watertight,
                  "Let no ray slip between triangles that share an edge or a corner");
 }
@@ -232,9 +232,10 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
     return options;
 }
 
-BvhOptions resolve_tree(const RenderRequest& request, const gpu::DeviceFacts& facts) {
+BvhOptions resolve_tree(const RenderRequest& request, const gpu::Device& device,
+                        const gpu::KernelSources& sources) {
     BvhOptions options = request.bvh;
-    options.layout = request.layout.value_or(default_layout(facts));
+    options.layout = request.layout ? *request.layout : suitable_layout(device, sources);
     return options;
 }
 

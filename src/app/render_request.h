@@ -4,6 +4,7 @@
 #include "core/command_line.h"
 
 #include "accel/bvh.h"
+#include "gpu/program.h"
 #include "image/image_io.h"
 #include "render/options.h"
 
@@ -64,8 +65,9 @@ void check_request(const RenderRequest& request);
 RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
                               const gpu::DeviceFacts& facts);
 
-/// How the tree is built and laid out for the device.
-BvhOptions resolve_tree(const RenderRequest& request, const gpu::DeviceFacts& facts);
+/// How the tree is built and laid out for the device, on which layouts may be measured first.
+BvhOptions resolve_tree(const RenderRequest& request, const gpu::Device& device,
+                        const gpu::KernelSources& sources);
 
 /// The word of `--integrator`.
 const std::string& integrator_name(IntegratorKind kind);

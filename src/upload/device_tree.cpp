@@ -30,10 +30,6 @@ Bytes leaves_in_place(const gpu::Device& device, const Bvh& bvh) {
 
 } // namespace
 
-BvhLayout default_layout(const gpu::DeviceFacts& facts) {
-    return facts.is_cpu ? BvhLayout::wide : BvhLayout::compressed;
-}
-
 DeviceTree::DeviceTree(const gpu::Device& device, const Bvh& bvh)
     : nodes_(nodes_in_place(device, bvh)), leaves_(leaves_in_place(device, bvh)),
       spheres_(gpu::Buffer<BvhSphere>::in_place(device, bvh.spheres)),

@@ -7,10 +7,6 @@
 
 namespace onde {
 
-/// The layout for a device of this kind: measured on CPUs, where the wide one is the fastest by
-/// far; on GPUs it follows from their architecture, and is not measured yet.
-BvhLayout default_layout(const gpu::DeviceFacts& facts);
-
 /// Uses the tree's memory in place where the device is a CPU: the tree must outlive it. Move-only.
 class DeviceTree {
   public:

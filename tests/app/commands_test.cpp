@@ -185,6 +185,41 @@ TEST_CASE("cache prewarm compiles what a render then loads; list shows it and cl
     CHECK_THAT(output_of(folder, {"cache", "list"}, own), Catch::StartsWith("0 programs, 0 bytes"));
 }
 
+TEST_CASE("devices --measure rates the layouts, and renders then use the fastest") {
+    const Folder folder;
+    const Environment own{{"ONDE_CACHE_DIR", (folder / "cache").string()}};
+    const auto rates =
+        nlohmann::json::parse(output_of(folder, {"devices", "--measure", "--json"}, own));
+    REQUIRE(rates.at("layouts").size() == 3);
+    double best = 0;
+    std::string fastest;
+    for (const auto& rate : rates.at("layouts")) {
+        if (rate.at("mrays") > best) fastest = rate.at("layout");
+        best = std::max(best, rate.at("mrays").get<double>());
+    }
+    CHECK(best > 0);
+    CHECK(rates.at("chosen") == fastest);
+
+    const auto stats_of_a_render = [&] {
+        return onde::test::onde(
+                   folder, {"render", CORNELL, "--size", "16x12", "--spp", "1", "--stats"}, own)
+            .out;
+    };
+    CHECK_THAT(stats_of_a_render(), Catch::Contains("bvh       " + fastest + ": "));
+    size_t remembered = 0;
+    for (const auto& entry : fs::directory_iterator(folder / "cache"))
+        if (entry.path().extension() == ".layout") {
+            std::ofstream(entry.path(), std::ios::binary) << "binary";
+            ++remembered;
+        }
+    CHECK(remembered == 1);
+    CHECK_THAT(stats_of_a_render(), Catch::Contains("bvh       binary: "));
+
+    const Outcome outcome = onde::test::onde(folder, {"devices", "--device", "0"}, own);
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.err, Catch::Contains("add --measure"));
+}
+
 TEST_CASE("PoCL compiles each kernel once, and a binary of it is kept") {
     const Folder folder;
     const fs::path pocl = folder / "pocl";

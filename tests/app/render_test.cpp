@@ -263,6 +263,32 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "every integrator that traces rays makes the wide tree's picture from the other layouts") {
+    const Folder folder;
+    const std::string five = ONDE_SOURCE_DIR "/scenes/chapter/five-objects.toml";
+    const std::string tori = ONDE_SOURCE_DIR "/scenes/chapter/tori-glass.toml";
+    const std::pair<std::string, const char*> pictures[] = {
+        {five, "whitted"}, {tori, "whitted"}, {CORNELL, "light"}};
+    for (const auto& [scene, integrator] : pictures) {
+        std::vector<float> expected;
+        for (const char* layout : {"wide", "compressed", "binary"}) {
+            INFO(scene << ", " << integrator << ", " << layout);
+            const Outcome outcome =
+                onde::test::onde(folder, render(scene, {"--integrator", integrator, "--layout",
+                                                        layout, "--float", "-o", "picture.exr"}));
+            INFO(outcome.err);
+            REQUIRE(outcome.code == 0);
+            const std::vector<float> pixels = onde::read_image(folder / "picture.exr").pixels;
+            if (expected.empty()) expected = pixels;
+            size_t equal = 0;
+            for (size_t i = 0; i < pixels.size(); ++i)
+                equal += std::abs(pixels[i] - expected[i]) <= 1e-4f * std::abs(expected[i]);
+            CHECK(equal >= expected.size() * 98 / 100);
+        }
+    }
+}
+
 TEST_CASE("onde volumes prints a line for every volume and hierarchy, and plots them") {
     const Folder folder;
     const Outcome outcome = onde::test::onde(

@@ -1,0 +1,52 @@
+// Which layout of the tree suits a device: measured once, and remembered.
+#pragma once
+
+#include "upload/tree_walker.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace onde {
+
+/// How many rays a device traces per second in trees of a layout.
+struct LayoutRate {
+    BvhLayout layout = BvhLayout::wide;
+    double mrays = 0; ///< million rays a second: closest and any hits of camera and diffuse rays
+};
+
+/// Traces half a million rays through a hilly field of 131,072 triangles in every layout, one ray
+/// per work item: the median of three runs. Compiles three small programs.
+std::vector<LayoutRate> measure_layouts(const gpu::Device& device,
+                                        const gpu::KernelSources& sources,
+                                        const gpu::ProgramCache* cache);
+
+/// The fastest layout; `rates` is not empty.
+BvhLayout fastest_layout(std::span<const LayoutRate> rates);
+
+/// What was measured on which device, one small file each beside the compiled kernels. A damaged
+/// file counts as none, and failures to write are silent.
+class LayoutMemory {
+  public:
+    explicit LayoutMemory(std::filesystem::path folder = gpu::ProgramCache::default_folder());
+
+    std::optional<BvhLayout> recall(const gpu::DeviceFacts& facts) const;
+    void remember(const gpu::DeviceFacts& facts, BvhLayout layout) const;
+
+  private:
+    std::filesystem::path path(const gpu::DeviceFacts& facts) const;
+
+    std::filesystem::path folder_;
+};
+
+/// What is remembered of the device; else the layout for its kind: the wide one for CPUs, where it
+/// is the fastest by far, the compressed one for others.
+BvhLayout known_layout(const gpu::DeviceFacts& facts, const LayoutMemory& memory = LayoutMemory());
+
+/// The same, but a device that is not a CPU and not known yet is measured, which takes seconds.
+BvhLayout suitable_layout(const gpu::Device& device, const gpu::KernelSources& sources,
+                          const LayoutMemory& memory = LayoutMemory());
+
+/// The word of `--layout`.
+const char* layout_name(BvhLayout layout);
+
+} // namespace onde

@@ -1,0 +1,65 @@
+// Rays through one tree and nothing else: what measures layouts, here and in the traversal bench.
+#pragma once
+
+#include "gpu/program.h"
+#include "upload/device_tree.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace onde {
+
+/// A ray that hits at t_min < t <= t_max.
+struct WalkRay {
+    glm::vec3 origin{0.0f};
+    float t_min = 0.0f;
+    glm::vec3 direction{0.0f}; ///< of any length
+    float t_max = 1e30f;
+};
+static_assert(sizeof(WalkRay) == 32);
+
+/// A closest hit as the kernels write it; primitive BVH_NONE where there is none.
+struct WalkHit {
+    float t, u, v;
+    uint32_t primitive, instance;
+};
+static_assert(sizeof(WalkHit) == 20);
+
+/// Rays in device memory, and room for their answers.
+struct WalkRays {
+    gpu::Buffer<WalkRay> rays;
+    gpu::Buffer<WalkHit> hits;
+    gpu::Buffer<uint32_t> blocked;
+
+    WalkRays(const gpu::Device& device, std::span<const WalkRay> set)
+        : rays(device, set), hits(device, set.size()), blocked(device, set.size()) {}
+};
+
+/// The tree of one geometry of triangles, and its kernels. The device must outlive it.
+class TreeWalker {
+  public:
+    TreeWalker(const gpu::Device& device, const gpu::KernelSources& sources,
+               const gpu::ProgramCache* cache, const Geometry& geometry, const BvhOptions& options,
+               std::vector<std::string> defines = {});
+
+    /// Each launches one kernel over the set and waits for it. Packets and streams walk the wide
+    /// layout only.
+    void closest(const WalkRays& set) { launch("closest", 1, set, set.hits); }
+    void occluded(const WalkRays& set) { launch("occluded", 1, set, set.blocked); }
+    void closest_packet(const WalkRays& set) { launch("closest_packet", 16, set, set.hits); }
+    void closest_stream(const WalkRays& set) { launch("closest_stream", 16, set, set.hits); }
+    void occluded_stream(const WalkRays& set) { launch("occluded_stream", 16, set, set.blocked); }
+
+  private:
+    template <class Result>
+    void launch(const char* kernel, size_t rays_per_item, const WalkRays& set,
+                const gpu::Buffer<Result>& results);
+
+    const gpu::Device& device_;
+    Bvh bvh_;
+    DeviceTree tree_;
+    gpu::Program program_;
+};
+
+} // namespace onde

@@ -1,5 +1,6 @@
 // The front door: which geometries hang directly, which are instanced, and how all become one Bvh.
 #include "accel/parallel.h"
+#include "accel/records.h"
 #include "accel/statistics.h"
 #include "accel/wide.h"
 
@@ -73,22 +74,6 @@ WideTree plan_world(std::span<const Geometry> geometries, std::span<const Placem
         sizes[i] = tree.size();
     }
     return WideTree(std::move(references), sizes, geometries, options);
-}
-
-void store_rows(const glm::mat4& matrix, float (&rows)[12]) {
-    for (glm::length_t row = 0; row < 3; ++row)
-        for (glm::length_t column = 0; column < 4; ++column)
-            rows[4 * row + column] = matrix[column][row];
-}
-
-BvhInstance make_instance(const Placement& placement, uint32_t root) {
-    BvhInstance instance{};
-    store_rows(placement.object_to_world, instance.object_to_world);
-    // In double precision: the inverse carries every ray into object space.
-    store_rows(glm::mat4(glm::inverse(glm::dmat4(placement.object_to_world))),
-               instance.world_to_object);
-    instance.root = root;
-    return instance;
 }
 
 void check_limits(const WidePlace& total, size_t placements) {

@@ -96,6 +96,7 @@ struct Bvh {
     uint32_t stack_size = 1;    ///< entries that a traversal may need at once, over both levels
     bool has_instances = false; ///< false when no leaf of the tree is an instance
     bool watertight = false;    ///< as in the options
+    bool refitted = false;      ///< leaves of spatial splits hold whole triangles, not parts
     BvhStatistics statistics;
 };
 
@@ -109,6 +110,15 @@ struct Bvh {
 /// threads. Throws InputError beyond 2^28 blocks, nodes, spheres or placements.
 Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> placements,
               const BvhOptions& options = {});
+
+/// Fits a wide tree to primitives that have moved: `geometries` and `placements` are those that it
+/// was built over, with new positions, spheres and transforms. Boxes and leaves are written anew,
+/// the shape stays: hits are those of a new tree, but the further primitives have moved apart the
+/// longer they take, which statistics.sah_cost tells. The triangles of spatial splits get their
+/// whole boxes. `options` are those of the build. Throws InputError for other primitives, or a tree
+/// in a narrow layout (fit it before narrow_bvh).
+void refit_bvh(Bvh& bvh, std::span<const Geometry> geometries,
+               std::span<const Placement> placements, const BvhOptions& options = {});
 
 /// Moves a wide tree that is shaped for a narrow layout (children of a node, triangles of a leaf, a
 /// root that is a node) into that layout; a tree of layout `wide` stays as it is. Boxes only grow,

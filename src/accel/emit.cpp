@@ -1,34 +1,11 @@
 // Writes wide trees as the kernels read them.
 #include "accel/parallel.h"
+#include "accel/records.h"
 #include "accel/wide.h"
 
 #include <algorithm>
 
 namespace onde::accel {
-
-namespace {
-
-void set_slot(BvhNode& node, uint32_t slot, const Box& box, uint32_t word) {
-    node.low_x[slot] = box.low[0], node.high_x[slot] = box.high[0];
-    node.low_y[slot] = box.low[1], node.high_y[slot] = box.high[1];
-    node.low_z[slot] = box.low[2], node.high_z[slot] = box.high[2];
-    node.child[slot] = word;
-}
-
-void set_triangle(TriangleBlock& block, uint32_t lane, const Geometry& geometry, uint32_t index,
-                  bool watertight) {
-    const glm::uvec3 corners = geometry.triangles[index];
-    const glm::vec3 v0 = geometry.positions[corners.x];
-    const glm::vec3 from = watertight ? glm::vec3(0.0f) : v0;
-    const glm::vec3 e1 = geometry.positions[corners.y] - from;
-    const glm::vec3 e2 = geometry.positions[corners.z] - from;
-    block.v0_x[lane] = v0.x, block.v0_y[lane] = v0.y, block.v0_z[lane] = v0.z;
-    block.e1_x[lane] = e1.x, block.e1_y[lane] = e1.y, block.e1_z[lane] = e1.z;
-    block.e2_x[lane] = e2.x, block.e2_y[lane] = e2.y, block.e2_z[lane] = e2.z;
-    block.primitive[lane] = geometry.first_primitive + index;
-}
-
-} // namespace
 
 class Emitter {
   public:

@@ -109,6 +109,23 @@ TEST_CASE("hits do not depend on the tree's shape") {
     CHECK(different == 0);
 }
 
+TEST_CASE("a refitted tree finds the hits of a tree that is built anew") {
+    const std::vector<Ray> rays = varied_rays(128);
+    World world = grove();
+    Generator generator(23);
+    for (Soup& soup : world.soups) {
+        for (glm::vec3& position : soup.positions) position += 0.2f * uniform_point(generator);
+        for (SphereInput& sphere : soup.spheres) sphere.center += 0.2f * uniform_point(generator);
+    }
+    for (size_t i = 1; i < world.placements.size(); ++i)
+        world.placements[i].object_to_world = random_transform(generator, 2.0f);
+    refit_bvh(world.bvh, world.geometries, world.placements);
+    const std::vector<Hit> hits = Tracer(world).closest(rays);
+    world.bvh = build_bvh(world.geometries, world.placements);
+    CHECK(unlike(hits, Tracer(world).closest(rays)) == 0);
+    CHECK(std::ranges::count_if(hits, is_hit) > 1000);
+}
+
 TEST_CASE("the distance to a narrow triangle does not suffer from a far origin") {
     Soup soup;
     std::vector<Ray> rays;

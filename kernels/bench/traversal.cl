@@ -40,10 +40,10 @@ __kernel void occluded(uint count, BVH_PARAMETERS, __global const float8* rays,
 }
 
 #if ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE
-// Rays `first` to `first` + 15; after the last one, it again.
-INLINE void load_stream(__global const float* rays, uint first, uint count, StreamRays* stream,
-                        float* t_min, float* t_max) {
-    for (uint lane = 0; lane < STREAM_WIDTH; lane++) {
+// `width` rays from `first` on; after the last one, it again.
+INLINE void load_stream(__global const float* rays, uint first, uint count, uint width,
+                        StreamRays* stream, float* t_min, float* t_max) {
+    for (uint lane = 0; lane < width; lane++) {
         __global const float* ray = rays + 8 * min(first + lane, count - 1);
         for (uint axis = 0; axis < 3; axis++) {
             stream->origin[axis][lane] = ray[axis];
@@ -54,25 +54,26 @@ INLINE void load_stream(__global const float* rays, uint first, uint count, Stre
     }
 }
 
-// Work item i takes rays 16 i to 16 i + 15, where the set has as many.
+// Work item i takes rays 32 i to 32 i + 31, where the set has as many.
 __kernel void occluded_stream(uint count, BVH_PARAMETERS, __global const float* rays,
                               __global uint* blocked) {
-    const uint first = 16 * get_global_id(0);
+    const uint first = OCCLUDED_WIDTH * get_global_id(0);
     if (first >= count) return;
     const BvhView bvh = BVH_VIEW;
     StreamRays stream;
-    float t_min[16], t_max[16];
-    load_stream(rays, first, count, &stream, t_min, t_max);
-    const uint live = min(count - first, 16u);
-    const uint hit =
-        bvh_occluded_stream(BVH_TO_SCALARS(bvh), &stream, t_min, t_max, (1u << live) - 1);
+    float t_min[OCCLUDED_WIDTH], t_max[OCCLUDED_WIDTH];
+    load_stream(rays, first, count, OCCLUDED_WIDTH, &stream, t_min, t_max);
+    const uint live = min(count - first, (uint)OCCLUDED_WIDTH);
+    const uint hit = bvh_occluded_stream(BVH_TO_SCALARS(bvh), &stream, t_min, t_max,
+                                         0xffffffffu >> (OCCLUDED_WIDTH - live));
     for (uint lane = 0; lane < live; lane++) blocked[first + lane] = hit >> lane & 1;
 }
 
+// The kernels below: work item i takes rays 16 i to 16 i + 15, where the set has as many.
 INLINE void load_closest(__global const float* rays, uint first, uint count, StreamRays* stream,
                          float* t_min, StreamHits* found) {
     float t_max[16];
-    load_stream(rays, first, count, stream, t_min, t_max);
+    load_stream(rays, first, count, STREAM_WIDTH, stream, t_min, t_max);
     clear_stream_hits(found, vload16(0, t_max));
 }
 INLINE void store_stream_hits(__global float* hits, uint first, uint count,

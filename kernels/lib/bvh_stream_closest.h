@@ -146,8 +146,8 @@ INLINE void go_on_alone(BvhView bvh, uint word, const StreamRays* rays, const fl
 OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_min,
                                  StreamHits* hits, uint bits) {
     const BvhView bvh = BVH_FROM_SCALARS;
-    prepare_stream(world);
-    uint here = bits & finite_stream(world);
+    prepare_stream(world, 1);
+    uint here = bits & finite_stream(world, 1);
     const StreamRays* rays = world;
     float near[STREAM_WIDTH] __attribute__((aligned(64)));
     const float* entry = t_min; // no box of the current tree is entered earlier
@@ -170,7 +170,7 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
         else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE) {
             instance = word & BVH_INDEX_MASK;
             __global const BvhInstance* placed = bvh.instances + instance;
-            place_stream(&inside, world, placed);
+            place_stream(&inside, world, placed, 1);
             rays = &inside;
             *(float16*)inside_entry = *(float16*)near;
             entry = inside_entry;

@@ -1,5 +1,5 @@
-// Whether anything is hit, by 16 rays in company: a stack entry is a child and the rays that meet
-// it.
+// Whether anything is hit, by up to 32 rays in company: a stack entry is a child and the rays that
+// meet it.
 #ifndef ONDE_LIB_BVH_STREAM_OCCLUDED_H
 #define ONDE_LIB_BVH_STREAM_OCCLUDED_H
 
@@ -57,13 +57,13 @@ INLINE uint push_met(ulong* stack, uint size, BvhView bvh, uint word, const Stre
     return size;
 }
 
-// Those of the rays in `bits` that are blocked in (t_min, t_max]. Of `rays`, origin and direction
-// of all 16 must be numbers.
+// Those of the rays in `bits` that are blocked in (t_min, t_max].
 OUTLINED uint bvh_occluded_stream(BVH_SCALARS, StreamRays* world, const float* t_min,
                                   const float* t_max, uint bits) {
     const BvhView bvh = BVH_FROM_SCALARS;
-    prepare_stream(world);
-    uint open = bits & finite_stream(world), blocked = 0; // rays that nothing blocks so far
+    const uint halves = stream_halves(bits);
+    prepare_stream(world, halves);
+    uint open = bits & finite_stream(world, halves), blocked = 0; // rays that nothing blocks so far
     const StreamRays* rays = world;
 #if ONDE_INSTANCES
     StreamRays inside;
@@ -80,9 +80,9 @@ OUTLINED uint bvh_occluded_stream(BVH_SCALARS, StreamRays* world, const float* t
             rays = world;
         } else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE) {
             __global const BvhInstance* placed = bvh.instances + (word & BVH_INDEX_MASK);
-            place_stream(&inside, world, placed);
+            place_stream(&inside, world, placed, halves);
             rays = &inside;
-            stack[size++] = stream_entry(BVH_NONE, 0xffffu);
+            stack[size++] = stream_entry(BVH_NONE, 0xffffffffu);
             word = placed->root;
             continue;
         }

@@ -50,9 +50,9 @@ INLINE uint shadow_bits(WaveView wave, uint i, uint end) {
 
 #if ONDE_STREAMS
 
-// Up to 16 slots whose shadow rays walk in company.
+// Slots whose shadow rays walk in company.
 typedef struct {
-    uint slots[STREAM_WIDTH];
+    uint slots[OCCLUDED_WIDTH];
     uint count;
 } ShadowGroup;
 
@@ -64,14 +64,14 @@ INLINE void light_slot(WaveView wave, uint i) {
 }
 
 INLINE void test_shadows(SceneView view, WaveView wave, ShadowGroup* group) {
-    const float t_min[STREAM_WIDTH] = {0.0f};
-    float distance[STREAM_WIDTH];
+    const float t_min[OCCLUDED_WIDTH] = {0.0f};
+    float distance[OCCLUDED_WIDTH];
     StreamRays rays;
     for (uint r = 0; r < group->count; r++) {
         load_ray(&rays, r, shadow_rays(wave), group->slots[r]);
         distance[r] = *lane(wave.shadow, wave.stride, LANE_SHADOW_DISTANCE, group->slots[r]);
     }
-    const uint bits = (1u << group->count) - 1;
+    const uint bits = 0xffffffffu >> (OCCLUDED_WIDTH - group->count);
     const uint blocked =
         bvh_occluded_stream(BVH_TO_SCALARS(view.bvh), &rays, t_min, distance, bits);
     for (uint open = bits & ~blocked; open; open &= open - 1)
@@ -85,7 +85,7 @@ INLINE void stage_shadow(SceneView view, WaveView wave, uint begin, uint end) {
     for (uint i = begin; i < end; i += ONDE_WIDTH)
         for (uint bits = shadow_bits(wave, i, end); bits; bits &= bits - 1) {
             group.slots[group.count++] = i + lowest_bit(bits);
-            if (group.count == STREAM_WIDTH) test_shadows(view, wave, &group);
+            if (group.count == OCCLUDED_WIDTH) test_shadows(view, wave, &group);
         }
     if (group.count > 0) test_shadows(view, wave, &group);
 }

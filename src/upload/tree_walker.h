@@ -49,7 +49,7 @@ class TreeWalker {
     void occluded(const WalkRays& set) { launch("occluded", 1, set, set.blocked); }
     void closest_packet(const WalkRays& set) { launch("closest_packet", 16, set, set.hits); }
     void closest_stream(const WalkRays& set) { launch("closest_stream", 16, set, set.hits); }
-    void occluded_stream(const WalkRays& set) { launch("occluded_stream", 16, set, set.blocked); }
+    void occluded_stream(const WalkRays& set) { launch("occluded_stream", 32, set, set.blocked); }
 
   private:
     template <class Result>

@@ -85,7 +85,7 @@ class Tracer {
         return trace<uint32_t>("occluded", rays, rays.size());
     }
     std::vector<uint32_t> occluded_stream(std::span<const Ray> rays) {
-        return trace<uint32_t>("occluded_stream", rays, (rays.size() + 15) / 16);
+        return trace<uint32_t>("occluded_stream", rays, (rays.size() + 31) / 32);
     }
 
   private:

@@ -45,8 +45,9 @@ BuiltTree refit_onde(const Model& model, Measure measure) {
     std::optional<HeapMeter> meter;
     if (measure == Measure::memory) meter.emplace();
     refit_bvh(tree, {&geometry, 1}, {&placement, 1});
-    return {tree.statistics.build_seconds, bytes_of(tree.nodes) + bytes_of(tree.blocks),
-            meter ? meter->peak_bytes() : 0, tree.statistics.sah_cost};
+    const uint64_t bytes = bytes_of(tree.nodes) + bytes_of(tree.blocks);
+    return {tree.statistics.build_seconds, bytes, meter ? bytes + meter->peak_bytes() : 0,
+            tree.statistics.sah_cost};
 }
 
 BuiltTree build_embree(RTCBuildQuality quality, const Model& model) {

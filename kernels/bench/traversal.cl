@@ -70,42 +70,33 @@ __kernel void occluded_stream(uint count, BVH_PARAMETERS, __global const float* 
 }
 
 // The kernels below: work item i takes rays 16 i to 16 i + 15, where the set has as many.
-INLINE void load_closest(__global const float* rays, uint first, uint count, StreamRays* stream,
-                         float* t_min, StreamHits* found) {
-    float t_max[16];
-    load_stream(rays, first, count, STREAM_WIDTH, stream, t_min, t_max);
-    clear_stream_hits(found, vload16(0, t_max));
-}
-INLINE void store_stream_hits(__global float* hits, uint first, uint count,
-                              const StreamHits* found) {
-    for (uint lane = 0; lane < STREAM_WIDTH && first + lane < count; lane++)
-        store_hit(hits, first + lane, stream_hit(found, lane));
+INLINE void closest_of_sixteen(uint count, BvhView bvh, __global const float* rays,
+                               __global float* hits, uint as_packet) {
+    const uint first = STREAM_WIDTH * get_global_id(0);
+    if (first >= count) return;
+    StreamRays stream;
+    StreamHits found;
+    float t_min[STREAM_WIDTH], t_max[STREAM_WIDTH];
+    load_stream(rays, first, count, STREAM_WIDTH, &stream, t_min, t_max);
+    clear_stream_hits(&found, vload16(0, t_max));
+    const uint live = min(count - first, (uint)STREAM_WIDTH);
+    if (as_packet)
+        bvh_closest_packet(BVH_TO_SCALARS(bvh), &stream, t_min, &found);
+    else
+        bvh_closest_stream(BVH_TO_SCALARS(bvh), &stream, t_min, &found, (1u << live) - 1);
+    for (uint lane = 0; lane < live; lane++)
+        store_hit(hits, first + lane, stream_hit(&found, lane));
 }
 
 __kernel void closest_stream(uint count, BVH_PARAMETERS, __global const float* rays,
                              __global float* hits) {
-    const uint first = 16 * get_global_id(0);
-    if (first >= count) return;
     const BvhView bvh = BVH_VIEW;
-    StreamRays stream;
-    StreamHits found;
-    float t_min[16];
-    load_closest(rays, first, count, &stream, t_min, &found);
-    const uint live = min(count - first, 16u);
-    bvh_closest_stream(BVH_TO_SCALARS(bvh), &stream, t_min, &found, (1u << live) - 1);
-    store_stream_hits(hits, first, count, &found);
+    closest_of_sixteen(count, bvh, rays, hits, 0);
 }
 
 __kernel void closest_packet(uint count, BVH_PARAMETERS, __global const float* rays,
                              __global float* hits) {
-    const uint first = 16 * get_global_id(0);
-    if (first >= count) return;
     const BvhView bvh = BVH_VIEW;
-    StreamRays stream;
-    StreamHits found;
-    float t_min[16];
-    load_closest(rays, first, count, &stream, t_min, &found);
-    bvh_closest_packet(BVH_TO_SCALARS(bvh), &stream, t_min, &found);
-    store_stream_hits(hits, first, count, &found);
+    closest_of_sixteen(count, bvh, rays, hits, 1);
 }
 #endif

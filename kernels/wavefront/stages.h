@@ -19,7 +19,7 @@ INLINE void stage_generate(SceneView view, WaveView wave, WaveJob job, uint begi
 }
 
 INLINE void stage_intersect(SceneView view, WaveView wave, uint bounce, uint begin, uint end) {
-    trace_rows(view.bvh, path_rays(wave), path_hits(wave), bounce, begin, end);
+    trace_rows(view.bvh, path_ray_rows(wave), path_hit_rows(wave), bounce, begin, end);
 }
 
 // Returns how many shadow rays there are to test.
@@ -31,8 +31,9 @@ INLINE uint stage_shade(SceneView view, WaveView wave, WaveJob job, uint bounce,
         const natural id = choose(lanes, load_path_id(wave, i), (natural)(0u));
         const Sampler sampler =
             sampler_start(job_pixel(job, id), job_sample(job, id), view.frame->seed);
-        const PathVertex vertex = path_vertex(
-            view, load_path(wave, i), load_hit_rows(path_hits(wave), i), sampler, bounce, lanes);
+        const PathVertex vertex =
+            path_vertex(view, load_path(wave, i), load_hit_rows(path_hit_rows(wave), i), sampler,
+                        bounce, lanes);
         add_radiance(wave, id, vertex.emitted, mask_bits(lanes & nonzero3(vertex.emitted)));
         store_shadow_ray(wave, i, vertex.shadow);
         store_path(wave, i, vertex.next);
@@ -68,7 +69,7 @@ INLINE void test_shadows(SceneView view, WaveView wave, ShadowGroup* group) {
     float distance[OCCLUDED_WIDTH];
     StreamRays rays;
     for (uint r = 0; r < group->count; r++) {
-        load_ray(&rays, r, shadow_rays(wave), group->slots[r]);
+        load_ray(&rays, r, shadow_ray_rows(wave), group->slots[r]);
         distance[r] = *lane(wave.shadow, wave.stride, LANE_SHADOW_DISTANCE, group->slots[r]);
     }
     const uint bits = 0xffffffffu >> (OCCLUDED_WIDTH - group->count);

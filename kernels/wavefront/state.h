@@ -77,16 +77,16 @@ INLINE void store_alive(WaveView wave, uint i, mask alive) {
 }
 
 // Where the rays of the paths lie, and the hits that these find.
-INLINE RayRows path_rays(WaveView wave) {
+INLINE RayRows path_ray_rows(WaveView wave) {
     const RayRows rows = {lane(wave.state, wave.stride, LANE_ORIGIN, 0),
                           lane(wave.state, wave.stride, LANE_DIRECTION, 0), wave.stride};
     return rows;
 }
-INLINE HitRows path_hits(WaveView wave) {
+INLINE HitRows path_hit_rows(WaveView wave) {
     const HitRows rows = {lane(wave.state, wave.stride, LANE_HIT, 0), wave.stride};
     return rows;
 }
-INLINE RayRows shadow_rays(WaveView wave) {
+INLINE RayRows shadow_ray_rows(WaveView wave) {
     const RayRows rows = {lane(wave.shadow, wave.stride, LANE_SHADOW_ORIGIN, 0),
                           lane(wave.shadow, wave.stride, LANE_SHADOW_DIRECTION, 0), wave.stride};
     return rows;

@@ -20,8 +20,8 @@ class Refitter {
   public:
     Refitter(Bvh& bvh, std::span<const Geometry> geometries, std::span<const Placement> placements,
              bool parallel)
-        : bvh_(bvh), geometries_(geometries), placements_(placements), parallel_(parallel),
-          block_boxes_(bvh.blocks.size()), node_boxes_(bvh.nodes.size()) {
+        : bvh_(bvh), placements_(placements), parallel_(parallel), block_boxes_(bvh.blocks.size()),
+          node_boxes_(bvh.nodes.size()) {
         for (const Geometry& geometry : geometries)
             if (geometry.size() > 0) owners_.push_back(&geometry);
         std::ranges::sort(owners_, {}, &Geometry::first_primitive);
@@ -102,7 +102,6 @@ class Refitter {
     }
 
     Bvh& bvh_;
-    std::span<const Geometry> geometries_;
     std::span<const Placement> placements_;
     bool parallel_;
     std::vector<const Geometry*> owners_; ///< by their first primitive

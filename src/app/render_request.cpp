@@ -37,9 +37,10 @@ const std::map<std::string, BvhBuilder> BUILDERS{{"sah", BvhBuilder::sah},
                                                  {"median", BvhBuilder::median},
                                                  {"median-spatial", BvhBuilder::median_spatial},
                                                  {"none", BvhBuilder::none}};
-const std::map<std::string, BvhLayout> LAYOUTS{{"wide", BvhLayout::wide},
-                                               {"compressed", BvhLayout::compressed},
-                                               {"binary", BvhLayout::binary}};
+const std::map<std::string, BvhLayout> LAYOUTS{
+    {layout_name(BvhLayout::wide), BvhLayout::wide},
+    {layout_name(BvhLayout::compressed), BvhLayout::compressed},
+    {layout_name(BvhLayout::binary), BvhLayout::binary}};
 const std::map<std::string, bool> AOVS{{"tests", true}};
 const std::map<std::string, bool> SWITCH{{"on", true}, {"off", false}};
 const std::map<std::string, Filter> FILTERS{{"box", Filter::box},

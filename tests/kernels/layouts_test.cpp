@@ -1,5 +1,6 @@
 // The layouts for GPUs give the hits of the wide one, on any tree and any ray.
-#include "kernels/traversal_rig.h"
+#include "kernels/traversal_judges.h"
+#include "kernels/traversal_worlds.h"
 
 using namespace onde;
 using namespace onde::test;

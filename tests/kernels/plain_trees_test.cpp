@@ -1,5 +1,5 @@
 // Every hierarchy (C13), watertight or not, gives the hits of the production tree.
-#include "kernels/traversal_rig.h"
+#include "kernels/traversal_worlds.h"
 
 using namespace onde;
 using namespace onde::test;

@@ -1,6 +1,8 @@
 // What the kernels' walks answer: against brute force in double precision, against Embree, and
 // against each other, bit by bit.
-#include "kernels/traversal_rig.h"
+#include "kernels/traversal_judges.h"
+#include "kernels/traversal_worlds.h"
+#include "scene/load.h"
 #include "support/assets.h"
 
 using namespace onde;

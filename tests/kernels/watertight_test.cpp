@@ -1,5 +1,5 @@
 // The watertight option: no ray leaves a closed mesh through shared edges and corners.
-#include "kernels/traversal_rig.h"
+#include "kernels/traversal_worlds.h"
 #include "lab/leak_trials.h"
 
 using namespace onde;

@@ -8,7 +8,9 @@
 #include "core/files.h"
 #include "core/log.h"
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <thread>
 
 namespace onde::bench {
@@ -19,18 +21,21 @@ struct Options {
     uint32_t side = 512;
     RaceOptions race;
     BvhBuilder builder = BvhBuilder::high;
-    std::string device, json, kernels;
+    std::vector<std::string> sets;
+    std::string device, json, kernels, against;
 };
 
 /// The sets of one model; one in which no ray starts is left out.
 std::vector<SetReport> measure(const Model& model, const gpu::Device& device,
-                               const gpu::KernelSources& sources, const Options& options) {
+                               const gpu::KernelSources& sources, const gpu::KernelSources* others,
+                               const Options& options) {
     spdlog::info("{}: building trees around {} triangles", model.name, model.triangles.size());
-    OndeTracers onde(device, sources, model.geometry(), options.builder);
+    OndeTracers onde(device, sources, others, model.geometry(), options.builder);
     const EmbreeScene embree(model, RTC_BUILD_QUALITY_HIGH);
     spdlog::info("{}: recording rays", model.name);
     std::vector<SetReport> reports;
     for (const RaySet& set : record_rays(model, embree, options.side)) {
+        if (!options.sets.empty() && !std::ranges::count(options.sets, set.name)) continue;
         spdlog::info("{}, {}: {} rays{}", model.name, set.name, set.rays.size(),
                      set.rays.empty() ? ", left out" : "");
         if (set.rays.empty()) continue;
@@ -46,12 +51,14 @@ void run(const Options& options) {
     const std::vector<Model> models = load_models(options.scenes);
     const gpu::Device device = gpu::open_device(options.device);
     const gpu::KernelSources sources = gpu::KernelSources::from(options.kernels);
+    std::optional<gpu::KernelSources> others;
+    if (!options.against.empty()) others = gpu::KernelSources::from(options.against);
     fmt::print("{}, --bvh {}; Embree {}, quality high, {} threads\n", device.facts().name,
                options.builder == BvhBuilder::high ? "high" : "sah", RTC_VERSION_STRING,
                std::thread::hardware_concurrency());
     std::vector<SetReport> reports;
     for (const Model& model : models) {
-        const auto of_model = measure(model, device, sources, options);
+        const auto of_model = measure(model, device, sources, others ? &*others : nullptr, options);
         reports.insert(reports.end(), of_model.begin(), of_model.end());
     }
     print_summary(reports);
@@ -74,6 +81,14 @@ int main(int argc, char** argv) {
                                                         {"high", onde::BvhBuilder::high}};
     root.choice("--bvh", options.builder, trees,
                 "Onde's tree: high, the counterpart of Embree's quality high, or what renders use");
+    root.option("--sets", &options.sets, "only these ray sets",
+                {.value = "WORD,...",
+                 .delimiter = ',',
+                 .words = {"primary", "shadow", "ao", "bounce", "bounce3"}});
+    root.option("--walks", &options.race.walks, "only these walks, beside single rays",
+                {.value = "WORD,...", .delimiter = ',', .words = {"single", "packet", "stream"}});
+    root.option("--against", &options.against, "race the walks of the kernels in this folder too",
+                {.value = "DIR"});
     onde::bench::add_device(root, options.device);
     onde::bench::add_kernels(root, options.kernels);
     onde::bench::add_repetitions(root, options.race.repetitions);

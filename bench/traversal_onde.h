@@ -3,13 +3,16 @@
 
 #include "traversal_rays.h"
 
+#include <optional>
+
 namespace onde::bench {
 
 struct OndeTracers {
     TreeWalker wide, portable, watertight, compressed, binary;
+    std::optional<TreeWalker> against; ///< the wide tree walked by other kernels
 
     OndeTracers(const gpu::Device& device, const gpu::KernelSources& sources,
-                const Geometry& geometry, BvhBuilder builder)
+                const gpu::KernelSources* others, const Geometry& geometry, BvhBuilder builder)
         : wide(device, sources, nullptr, geometry, {.builder = builder}),
           portable(device, sources, nullptr, geometry, {.builder = builder},
                    {"ONDE_AVX512=0", "ONDE_AVX2=0"}),
@@ -17,7 +20,10 @@ struct OndeTracers {
           compressed(device, sources, nullptr, geometry,
                      {.builder = builder, .layout = BvhLayout::compressed}),
           binary(device, sources, nullptr, geometry,
-                 {.builder = builder, .layout = BvhLayout::binary}) {}
+                 {.builder = builder, .layout = BvhLayout::binary}) {
+        if (others)
+            against.emplace(device, *others, nullptr, geometry, BvhOptions{.builder = builder});
+    }
 };
 
 } // namespace onde::bench

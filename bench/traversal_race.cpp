@@ -2,6 +2,7 @@
 
 #include "traversal_embree.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -37,35 +38,33 @@ size_t count_mismatches(const std::vector<Answer>& answers, const std::vector<An
 
 class Race {
   public:
-    Race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree, OndeTracers& onde)
-        : set_(set), device_(device), on_device_(device, set.rays), hits_(set.rays.size()),
-          blocked_(set.rays.size()) {
+    Race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree, OndeTracers& onde,
+         const RaceOptions& options)
+        : set_(set), device_(device), options_(options), on_device_(device, set.rays),
+          hits_(set.rays.size()), blocked_(set.rays.size()) {
         ask(embree, EMBREE_SINGLE);
         expected_hits_ = hits_;
         expected_blocked_ = blocked_;
         for (const EmbreeMode& mode : embree_modes(embree)) add(embree, mode);
-        const auto single = set.any_hit ? &TreeWalker::occluded : &TreeWalker::closest;
-        add("onde single", Side::onde, onde.wide, single);
-        if (!set.any_hit) add("onde packet", Side::onde, onde.wide, &TreeWalker::closest_packet);
-        add("onde stream", Side::onde, onde.wide,
-            set.any_hit ? &TreeWalker::occluded_stream : &TreeWalker::closest_stream);
-        add("onde portable single", Side::onde, onde.portable, single);
-        add("onde watertight single", Side::onde_watertight, onde.watertight, single);
-        add("onde compressed single", Side::onde, onde.compressed, single);
-        add("onde binary single", Side::onde, onde.binary, single);
+        add_walks("onde", Side::onde, onde.wide);
+        add_single("onde portable single", Side::onde, onde.portable);
+        add_single("onde watertight single", Side::onde_watertight, onde.watertight);
+        add_single("onde compressed single", Side::onde, onde.compressed);
+        add_single("onde binary single", Side::onde, onde.binary);
+        if (onde.against) add_walks("against", Side::against, *onde.against);
     }
 
-    std::vector<Timing> run(const RaceOptions& options) {
+    std::vector<Timing> run() {
         std::vector<Timing> timings;
         for (const Contender& contender : contenders_) { // warms up as well
             contender.run();
             timings.push_back({contender.name, contender.side, contender.mismatches()});
         }
-        for (uint32_t repetition = 0; repetition < options.repetitions; ++repetition)
+        for (uint32_t repetition = 0; repetition < options_.repetitions; ++repetition)
             for (size_t i = 0; i < contenders_.size(); ++i) {
-                const double start = now(options.cpu_time);
+                const double start = now(options_.cpu_time);
                 contenders_[i].run();
-                timings[i].seconds.push_back(now(options.cpu_time) - start);
+                timings[i].seconds.push_back(now(options_.cpu_time) - start);
             }
         return timings;
     }
@@ -85,19 +84,40 @@ class Race {
             embree_closest(embree, mode, set_.rays, hits_);
     }
 
+    bool takes_part(const std::string& name) const {
+        const auto is_in = [&](const std::string& walk) {
+            return name.find(walk) != std::string::npos;
+        };
+        return options_.walks.empty() || is_in("single") ||
+               std::ranges::any_of(options_.walks, is_in);
+    }
+
     void add(const EmbreeScene& embree, EmbreeMode mode) {
+        if (!takes_part(mode.name())) return;
         contenders_.push_back({mode.name(), Side::embree,
                                [this, &embree, mode] { ask(embree, mode); },
                                [this] { return mismatches(hits_, blocked_); }});
     }
 
-    void add(const char* name, Side side, TreeWalker& onde,
-             void (TreeWalker::*trace)(const WalkRays&)) {
-        contenders_.push_back({name, side, [this, &onde, trace] { (onde.*trace)(on_device_); },
+    using Walk = void (TreeWalker::*)(const WalkRays&);
+
+    void add(const std::string& name, Side side, TreeWalker& onde, Walk walk) {
+        if (!takes_part(name)) return;
+        contenders_.push_back({name, side, [this, &onde, walk] { (onde.*walk)(on_device_); },
                                [this] {
                                    return mismatches(on_device_.hits.read(device_),
                                                      on_device_.blocked.read(device_));
                                }});
+    }
+    void add_single(const std::string& name, Side side, TreeWalker& onde) {
+        add(name, side, onde, set_.any_hit ? &TreeWalker::occluded : &TreeWalker::closest);
+    }
+    /// Ray by ray, in packets where those find closest hits, and in streams.
+    void add_walks(const std::string& who, Side side, TreeWalker& onde) {
+        add_single(who + " single", side, onde);
+        if (!set_.any_hit) add(who + " packet", side, onde, &TreeWalker::closest_packet);
+        add(who + " stream", side, onde,
+            set_.any_hit ? &TreeWalker::occluded_stream : &TreeWalker::closest_stream);
     }
 
     size_t mismatches(const std::vector<Hit>& hits, const std::vector<uint32_t>& blocked) const {
@@ -107,6 +127,7 @@ class Race {
 
     const RaySet& set_;
     const gpu::Device& device_;
+    const RaceOptions& options_;
     WalkRays on_device_;
     std::vector<Hit> hits_, expected_hits_;
     std::vector<uint32_t> blocked_, expected_blocked_;
@@ -117,7 +138,7 @@ class Race {
 
 std::vector<Timing> race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree,
                          OndeTracers& onde, const RaceOptions& options) {
-    return Race(set, device, embree, onde).run(options);
+    return Race(set, device, embree, onde, options).run();
 }
 
 } // namespace onde::bench

@@ -6,7 +6,7 @@
 
 namespace onde::bench {
 
-enum class Side { embree, onde, onde_watertight };
+enum class Side { embree, onde, onde_watertight, against };
 
 /// One contender on one ray set.
 struct Timing {
@@ -19,11 +19,13 @@ struct Timing {
 struct RaceOptions {
     uint32_t repetitions = 5;
     bool cpu_time = false; ///< processor time instead of wall-clock time
+    /// "packet", "stream": who takes part beside the single rays; nobody named: everyone.
+    std::vector<std::string> walks{};
 };
 
 /// Times every mode of Embree's, and Onde's trees: the wide one ray by ray, in packets where those
 /// find closest hits, and in streams; the others, and the code without machine instructions, ray by
-/// ray. The reference is Embree's single ray:
+/// ray; and the walks of other kernels, where there are any. The reference is Embree's single ray:
 /// a hit differs when t does by more than 1e-4 of it. `set` is not empty.
 std::vector<Timing> race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree,
                          OndeTracers& onde, const RaceOptions& options);

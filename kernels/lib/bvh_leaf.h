@@ -48,20 +48,25 @@ INLINE Vectors8 block_vectors(__global const float8* rows) {
     const Vectors8 vectors = {rows[0], rows[1], rows[2]};
     return vectors;
 }
-INLINE TriangleTest8 test_block(__global const uchar* block, float3 origin, float3 direction) {
+
+// What a block holds of its triangles' shape: corners 0 and edges, or three corners.
+typedef struct {
+    Vectors8 a, b, c;
+} BlockTriangles;
+
+INLINE BlockTriangles block_triangles(__global const uchar* block) {
     __global const float8* rows = (__global const float8*)block;
-    return leaf_test8(splat8(origin), splat8(direction), block_vectors(rows),
-                      block_vectors(rows + 3), block_vectors(rows + 6));
+    const BlockTriangles triangles = {block_vectors(rows), block_vectors(rows + 3),
+                                      block_vectors(rows + 6)};
+    return triangles;
+}
+INLINE TriangleTest8 test_block(BlockTriangles triangles, float3 origin, float3 direction) {
+    return leaf_test8(splat8(origin), splat8(direction), triangles.a, triangles.b, triangles.c);
 }
 
-// `hit`, or the closest hit of the block's triangles in (t_min, hit.t]. A hit counts as no closer
-// than `near`, where the ray enters the block's box: rounding may say otherwise, and the walk over
-// boxes would then find it or not depending on its order.
-INLINE Hit closest_in_block(__global const uchar* block, float3 origin, float t_min,
-                            float3 direction, float near, uint instance, Hit hit) {
-    const TriangleTest8 test = test_block(block, origin, direction);
-    const int8 miss = miss8(test, (float8)(t_min), (float8)(hit.t));
-    if (sign_bits8(miss) == 0xffu) return hit;
+// `hit`, or the closest of the hits that `test` and `miss` leave open.
+INLINE Hit closest_of_block(__global const uchar* block, TriangleTest8 test, int8 miss, float t_min,
+                            float near, uint instance, Hit hit) {
     const float8 inverse = 1.0f / test.determinant;
     const float8 t = test.t * inverse;
     const float8 from_box = UPPER(t, (float8)(near));
@@ -80,14 +85,25 @@ INLINE Hit closest_in_block(__global const uchar* block, float3 origin, float t_
     return closer;
 }
 
+// `hit`, or the closest hit of the block's triangles in (t_min, hit.t]. A hit counts as no closer
+// than `near`, where the ray enters the block's box: rounding may say otherwise, and the walk over
+// boxes would then find it or not depending on its order.
+INLINE Hit closest_in_block(__global const uchar* block, float3 origin, float t_min,
+                            float3 direction, float near, uint instance, Hit hit) {
+    const TriangleTest8 test = test_block(block_triangles(block), origin, direction);
+    const int8 miss = miss8(test, (float8)(t_min), (float8)(hit.t));
+    if (sign_bits8(miss) == 0xffu) return hit;
+    return closest_of_block(block, test, miss, t_min, near, instance, hit);
+}
+
 // Whether some triangle of the block is hit in (t_min, t_max].
 INLINE uint any_in_block(__global const uchar* block, float3 origin, float t_min, float3 direction,
                          float t_max) {
-    const TriangleTest8 test = test_block(block, origin, direction);
+    const TriangleTest8 test = test_block(block_triangles(block), origin, direction);
     const int8 miss = miss8(test, (float8)(t_min), (float8)(t_max));
     if (sign_bits8(miss) == 0xffu) return 0;
     const float8 t = test.t * (1.0f / test.determinant);
-    return bits8((miss >= 0) & (t > t_min) & (t <= t_max)) != 0;
+    return sign_bits8(as_int8(t_min - t) & ~(as_int8(t_max - t) | miss)) != 0;
 }
 
 // The nearest distance in (t_min, t_max] at which the ray meets the sphere, or infinity. The

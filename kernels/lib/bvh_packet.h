@@ -1,6 +1,7 @@
 // The tree, walked by 16 rays together: for primary rays, which go almost the same way. A frustum
 // of intervals is tested against the 16 children of a node at once, then each box that survives
-// against the 16 rays. Answers are those of bvh_closest, bit for bit.
+// against the 16 rays; in a leaf the rays that are left go one by one, unless most are. Answers are
+// those of bvh_closest, bit for bit.
 #ifndef ONDE_LIB_BVH_PACKET_H
 #define ONDE_LIB_BVH_PACKET_H
 
@@ -21,11 +22,6 @@ typedef struct {
     Vectors16 inverse, near, far; // as in SlabRay
     float16 t_min;
 } Packet;
-
-typedef struct {
-    float16 t, u, v;
-    uint16 primitive;
-} PacketHits;
 
 // Rays of one octant as intervals: of their origins, by the end that is nearer to the near planes
 // of each axis, and the other; and of their inverse directions.
@@ -168,60 +164,36 @@ INLINE Vectors16 splat16(__global const float* rows, uint lane) {
     return vectors;
 }
 
-INLINE PacketHits closest_in_block16(__global const uchar* block, Packet rays, BoxHits box,
-                                     PacketHits hits) {
+// As meet_block, triangle by triangle.
+INLINE void meet_triangles(__global const uchar* block, Packet rays, BoxHits box,
+                           StreamHits* hits) {
     __global const float* rows = (__global const float*)block;
     const uint box_bits = bits16(box.lanes);
+    float16 t_max = vload16(0, hits->t), u = vload16(0, hits->u), v = vload16(0, hits->v);
+    uint16 primitives = vload16(0, hits->primitive);
     for (uint i = 0; i < BVH_LEAF_WIDTH; i++) {
         const uint primitive = as_uint(rows[72 + i]);
         if (primitive == BVH_NONE) break;
         const TriangleTest16 test = leaf_test16(rays.origin, rays.direction, splat16(rows, i),
                                                 splat16(rows + 24, i), splat16(rows + 48, i));
         if (!(box_bits & ~sign_bits16(test.outside))) continue;
-        const int16 miss = miss16(test, rays.t_min, hits.t);
+        const int16 miss = miss16(test, rays.t_min, t_max);
         if (!(box_bits & ~sign_bits16(miss))) continue;
         const float16 inverse = 1.0f / test.determinant;
         const float16 t = test.t * inverse;
         const float16 from_box = UPPER(t, box.near);
         const int16 closer =
             box.lanes & (miss >= 0) & (t > rays.t_min) &
-            ((from_box < hits.t) | ((from_box == hits.t) & ((uint16)(primitive) < hits.primitive)));
-        hits.t = closer ? from_box : hits.t;
-        hits.u = closer ? test.u * inverse : hits.u;
-        hits.v = closer ? test.v * inverse : hits.v;
-        hits.primitive = closer ? (uint16)(primitive) : hits.primitive;
+            ((from_box < t_max) | ((from_box == t_max) & ((uint16)(primitive) < primitives)));
+        t_max = closer ? from_box : t_max;
+        u = closer ? test.u * inverse : u;
+        v = closer ? test.v * inverse : v;
+        primitives = closer ? (uint16)(primitive) : primitives;
     }
-    return hits;
-}
-
-INLINE PacketHits closest_on_sphere16(BvhSphere sphere, Packet rays, BoxHits box, PacketHits hits) {
-    float origin[3][16], direction[3][16], t_min[16], near[16], t[16], u[16], v[16];
-    uint primitive[16];
-    vstore16(rays.origin.x, 0, origin[0]);
-    vstore16(rays.origin.y, 0, origin[1]);
-    vstore16(rays.origin.z, 0, origin[2]);
-    vstore16(rays.direction.x, 0, direction[0]);
-    vstore16(rays.direction.y, 0, direction[1]);
-    vstore16(rays.direction.z, 0, direction[2]);
-    vstore16(rays.t_min, 0, t_min);
-    vstore16(box.near, 0, near);
-    vstore16(hits.t, 0, t);
-    vstore16(hits.u, 0, u);
-    vstore16(hits.v, 0, v);
-    vstore16(hits.primitive, 0, primitive);
-    for (uint bits = bits16(box.lanes); bits; bits &= bits - 1) {
-        const uint i = lowest_bit(bits);
-        Hit hit = {t[i], u[i], v[i], primitive[i], BVH_NONE};
-        hit = closest_on_sphere(
-            sphere, (float3)(origin[0][i], origin[1][i], origin[2][i]), t_min[i],
-            (float3)(direction[0][i], direction[1][i], direction[2][i]), near[i], BVH_NONE, hit);
-        t[i] = hit.t;
-        u[i] = hit.u;
-        v[i] = hit.v;
-        primitive[i] = hit.primitive;
-    }
-    const PacketHits closer = {vload16(0, t), vload16(0, u), vload16(0, v), vload16(0, primitive)};
-    return closer;
+    vstore16(t_max, 0, hits->t);
+    vstore16(u, 0, hits->u);
+    vstore16(v, 0, hits->v);
+    vstore16(primitives, 0, hits->primitive);
 }
 
 // Pushes the frustum's children as distance << 32 | node * 16 + slot, the nearest last.
@@ -241,23 +213,33 @@ INLINE uint push_slots(ulong* stack, uint size, BvhView bvh, uint node, NodeHits
     return size;
 }
 
-// What a leaf's primitives are to the rays that enter its box.
-INLINE PacketHits closest_in_leaf16(BvhView bvh, uint word, Packet rays, BoxHits box,
-                                    PacketHits hits) {
-    #if ONDE_SPHERES
-    if ((word & BVH_KIND_MASK) == BVH_LEAF_SPHERE)
-        return closest_on_sphere16(bvh.spheres[word & BVH_INDEX_MASK], rays, box, hits);
-    #endif
-    return closest_in_block16(bvh_block(bvh, word), rays, box, hits);
+    // A block of triangles is tested triangle by triangle where more rays than these meet its box,
+    // and ray by ray otherwise. A triangle costs two vectors of 8 rays, or one of 16, and a ray one
+    // of 8 triangles, of which six or so are there.
+    #define PACKET_FEW_RAYS (ONDE_AVX512 ? 6 : 12)
+
+// What a leaf's primitives are to the rays that meet its box.
+INLINE void meet_leaf16(BvhView bvh, uint word, const StreamRays* stream, Packet rays, BoxHits box,
+                        const float* t_min, StreamHits* hits) {
+    const uint bits = bits16(box.lanes);
+    if ((word & BVH_KIND_MASK) == BVH_LEAF_TRIANGLES && popcount(bits) > PACKET_FEW_RAYS) {
+        meet_triangles(bvh_block(bvh, word), rays, box, hits);
+        return;
+    }
+    float near[STREAM_WIDTH] __attribute__((aligned(64)));
+    *(float16*)near = box.near;
+    meet_leaf(bvh, word, stream, t_min, near, BVH_NONE, hits, bits);
 }
 
 // Walks the tree with the rays in `lanes`, which share an octant.
-INLINE PacketHits walk_octant(BvhView bvh, Packet rays, int16 lanes, uint octant, PacketHits hits) {
+INLINE void walk_octant(BvhView bvh, const StreamRays* stream, Packet rays, const float* t_min,
+                        int16 lanes, uint octant, StreamHits* hits) {
     const Frustum frustum = make_frustum(rays, lanes, octant);
-    float t_max = highest_in(hits.t, lanes);
+    float t_max = highest_in(vload16(0, hits->t), lanes);
     if (bvh.root & BVH_LEAF) {
         const BoxHits everything = {rays.t_min, lanes};
-        return closest_in_leaf16(bvh, bvh.root, rays, everything, hits);
+        meet_leaf16(bvh, bvh.root, stream, rays, everything, t_min, hits);
+        return;
     }
     ulong stack[ONDE_STACK_SIZE];
     uint size = push_slots(stack, 0, bvh, bvh.root,
@@ -267,19 +249,19 @@ INLINE PacketHits walk_octant(BvhView bvh, Packet rays, int16 lanes, uint octant
         if (entry_distance(entry) > t_max) continue;
         const uint slot = (uint)entry % BVH_WIDTH;
         __global const uchar* parent = bvh_node(bvh, (uint)entry / BVH_WIDTH);
-        BoxHits box = rays_meet_box((__global const float*)parent + slot, frustum, rays, hits.t);
+        BoxHits box =
+            rays_meet_box((__global const float*)parent + slot, frustum, rays, vload16(0, hits->t));
         box.lanes &= lanes;
         if (!bits16(box.lanes)) continue;
         const uint word = bvh_children(parent)[slot];
         if (word & BVH_LEAF) {
-            hits = closest_in_leaf16(bvh, word, rays, box, hits);
-            t_max = highest_in(hits.t, lanes);
+            meet_leaf16(bvh, word, stream, rays, box, t_min, hits);
+            t_max = highest_in(vload16(0, hits->t), lanes);
         } else {
             size = push_slots(stack, size, bvh, word,
                               frustum_meets_node(bvh_node(bvh, word), frustum, t_max));
         }
     }
-    return hits;
 }
 
 // Closest hits of 16 rays of any directions, as bvh_closest_stream of all of them.
@@ -287,20 +269,15 @@ OUTLINED void bvh_closest_packet(BVH_SCALARS, StreamRays* rays, const float* t_m
                                  StreamHits* hits) {
     const BvhView bvh = BVH_FROM_SCALARS;
     const Packet packet = load_packet(rays, t_min);
-    PacketHits found = {vload16(0, hits->t), 0.0f, 0.0f, (uint16)(BVH_NONE)};
     const uint16 octant_of = octants(packet);
     uint octant_list[16];
     vstore16(octant_of, 0, octant_list);
     for (uint rest = bits16(finite_rays(packet)); rest;) {
         const uint octant = octant_list[lowest_bit(rest)];
         const int16 lanes = (octant_of == (uint16)(octant)) & finite_rays(packet);
-        found = walk_octant(bvh, packet, lanes, octant, found);
+        walk_octant(bvh, rays, packet, t_min, lanes, octant, hits);
         rest &= ~bits16(lanes);
     }
-    vstore16(found.t, 0, hits->t);
-    vstore16(found.u, 0, hits->u);
-    vstore16(found.v, 0, hits->v);
-    vstore16(found.primitive, 0, hits->primitive);
 }
 
 #endif

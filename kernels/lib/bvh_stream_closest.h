@@ -1,5 +1,5 @@
-// Closest hits of 16 rays in company. Nearer children come first, by the nearest of the rays that
-// meet them; when few rays are left below a child they go on one by one.
+// Closest hits of 16 rays in company. Nearer children come first, as the last of the rays that meet
+// them has it; when few rays are left below a child they go on one by one.
 #ifndef ONDE_LIB_BVH_STREAM_CLOSEST_H
 #define ONDE_LIB_BVH_STREAM_CLOSEST_H
 
@@ -39,16 +39,16 @@ INLINE uint entry_rays(ulong entry) {
     return (uint)(entry >> 32) & 0xffffu;
 }
 
-// Where the rays enter one box by one axis, and leave it.
+// Where the rays enter one box by one axis, and leave it. `select` goes by the sign of the inverse.
 INLINE float16 box_entry(__global const float* box, uint axis, const StreamRays* rays) {
     const float16 low = box[32 * axis], high = box[32 * axis + 16];
     const float16 inverse = vload16(0, rays->inverse[axis]);
-    return fma(inverse < 0.0f ? high : low, inverse, vload16(0, rays->near[axis]));
+    return fma(select(low, high, as_int16(inverse)), inverse, vload16(0, rays->near[axis]));
 }
 INLINE float16 box_exit(__global const float* box, uint axis, const StreamRays* rays) {
     const float16 low = box[32 * axis], high = box[32 * axis + 16];
     const float16 inverse = vload16(0, rays->inverse[axis]);
-    return fma(inverse < 0.0f ? low : high, inverse, vload16(0, rays->far[axis]));
+    return fma(select(high, low, as_int16(inverse)), inverse, vload16(0, rays->far[axis]));
 }
 
 // All rays against the box in a slot of a node: as span_boxes, ray by ray.
@@ -74,8 +74,7 @@ INLINE uint push_nearest_last(ulong* stack, uint size, BvhView bvh, uint word,
         const BoxSpans spans = span_boxes(node, stream_slab(rays, r), entry[r], t_max[r]);
         const int16 meets = spans.near <= spans.far;
         met |= meets & ray_bit16(r);
-        const float16 near = meets ? spans.near : (float16)(INFINITY);
-        nearest = LOWER(nearest, near);
+        nearest = meets ? spans.near : nearest;
     }
     uint rays_of[BVH_WIDTH] __attribute__((aligned(64)));
     float near_of[BVH_WIDTH] __attribute__((aligned(64)));
@@ -94,28 +93,46 @@ INLINE uint push_nearest_last(ulong* stack, uint size, BvhView bvh, uint word,
     return size;
 }
 
+// The rays in `bits` against a block of triangles.
+INLINE void meet_block(__global const uchar* block, const StreamRays* rays, const float* t_min,
+                       const float* near, uint instance, StreamHits* hits, uint bits) {
+    const BlockTriangles triangles = block_triangles(block);
+    for (; bits; bits &= bits - 1) {
+        const uint r = lowest_bit(bits);
+        const TriangleTest8 test =
+            test_block(triangles, stream_origin(rays, r), stream_direction(rays, r));
+        const int8 miss = miss8(test, (float8)(t_min[r]), (float8)(hits->t[r]));
+        if (sign_bits8(miss) != 0xffu)
+            set_stream_hit(hits, r,
+                           closest_of_block(block, test, miss, t_min[r], near[r], instance,
+                                            stream_hit(hits, r)));
+    }
+}
+
 // The rays in `bits` against what hangs in a leaf.
 INLINE void meet_leaf(BvhView bvh, uint word, const StreamRays* rays, const float* t_min,
                       const float* near, uint instance, StreamHits* hits, uint bits) {
+    if ((word & BVH_KIND_MASK) == BVH_LEAF_TRIANGLES) {
+        meet_block(bvh_block(bvh, word), rays, t_min, near, instance, hits, bits);
+        return;
+    }
+#if ONDE_SPHERES || ONDE_SHAPES
     for (; bits; bits &= bits - 1) {
         const uint r = lowest_bit(bits);
         const float3 origin = stream_origin(rays, r), direction = stream_direction(rays, r);
+        const BvhSphere primitive = bvh.spheres[word & BVH_INDEX_MASK];
         Hit hit = stream_hit(hits, r);
-        if ((word & BVH_KIND_MASK) == BVH_LEAF_TRIANGLES)
-            hit = closest_in_block(bvh_block(bvh, word), origin, t_min[r], direction, near[r],
-                                   instance, hit);
-#if ONDE_SPHERES
-        else if ((word & BVH_KIND_MASK) == BVH_LEAF_SPHERE)
-            hit = closest_on_sphere(bvh.spheres[word & BVH_INDEX_MASK], origin, t_min[r], direction,
-                                    near[r], instance, hit);
-#endif
-#if ONDE_SHAPES
-        else
-            hit = closest_on_shape(bvh.spheres[word & BVH_INDEX_MASK], origin, t_min[r], direction,
-                                   near[r], instance, hit);
-#endif
+    #if ONDE_SPHERES
+        if ((word & BVH_KIND_MASK) == BVH_LEAF_SPHERE)
+            hit = closest_on_sphere(primitive, origin, t_min[r], direction, near[r], instance, hit);
+    #endif
+    #if ONDE_SHAPES
+        if ((word & BVH_KIND_MASK) == BVH_LEAF_SHAPE)
+            hit = closest_on_shape(primitive, origin, t_min[r], direction, near[r], instance, hit);
+    #endif
         set_stream_hit(hits, r, hit);
     }
+#endif
 }
 
 // At most so many rays go on one by one.
@@ -159,15 +176,18 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
     ulong stack[ONDE_STACK_SIZE];
     uint size = 0, word = bvh.root;
     *(float16*)near = vload16(0, t_min);
-    if (!here) return;
+    // A single loop: one of its own for entries that no ray meets any more would make the compiler
+    // copy the rays' rows to its stack whenever it is entered.
     for (;;) {
-        if (!(word & BVH_LEAF) && popcount(here) <= STREAM_ALONE) {
-            go_on_alone(bvh, word, rays, t_min, near, entry, instance, stack + size, hits, here);
-        } else if (!(word & BVH_LEAF)) {
-            size = push_nearest_last(stack, size, bvh, word, rays, entry, hits->t, here);
+        if (!(word & BVH_LEAF)) {
+            if (popcount(here) <= STREAM_ALONE)
+                go_on_alone(bvh, word, rays, t_min, near, entry, instance, stack + size, hits,
+                            here);
+            else
+                size = push_nearest_last(stack, size, bvh, word, rays, entry, hits->t, here);
         }
 #if ONDE_INSTANCES
-        else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE) {
+        else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE && here) {
             instance = word & BVH_INDEX_MASK;
             __global const BvhInstance* placed = bvh.instances + instance;
             place_stream(&inside, world, placed, 1);
@@ -181,26 +201,24 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
 #endif
         else
             meet_leaf(bvh, word, rays, t_min, near, instance, hits, here);
-        do {
-            if (size == 0) return;
-            const ulong waiting = stack[--size];
+        if (size == 0) return;
+        const ulong waiting = stack[--size];
 #if ONDE_INSTANCES
-            if (waiting == STACK_LEAVE_INSTANCE) {
-                instance = BVH_NONE;
-                rays = world;
-                entry = t_min;
-                here = 0;
-                continue;
-            }
+        if (waiting == STACK_LEAVE_INSTANCE) {
+            instance = BVH_NONE;
+            rays = world;
+            entry = t_min;
+            here = 0;
+            continue;
+        }
 #endif
-            const uint slot = (uint)waiting % BVH_WIDTH;
-            __global const uchar* parent = bvh_node(bvh, (uint)waiting / BVH_WIDTH);
-            const BoxSpans spans =
-                span_rays((__global const float*)parent + slot, rays, entry, hits->t);
-            *(float16*)near = spans.near;
-            here = bits16(spans.near <= spans.far) & entry_rays(waiting);
-            word = bvh_children(parent)[slot];
-        } while (!here);
+        const uint slot = (uint)waiting % BVH_WIDTH;
+        __global const uchar* parent = bvh_node(bvh, (uint)waiting / BVH_WIDTH);
+        const BoxSpans spans =
+            span_rays((__global const float*)parent + slot, rays, entry, hits->t);
+        *(float16*)near = spans.near;
+        here = bits16(spans.near <= spans.far) & entry_rays(waiting);
+        word = bvh_children(parent)[slot];
     }
 }
 

@@ -55,6 +55,23 @@ TEST_CASE("the traversal bench compares five ray sets with the same answers as E
     }
 }
 
+TEST_CASE("the traversal bench races other kernels over the sets and walks that are asked for") {
+    const Folder folder;
+    const std::string mine = (folder / "kernels").string();
+    std::filesystem::copy(ONDE_SOURCE_DIR "/kernels", mine,
+                          std::filesystem::copy_options::recursive);
+    folder.write("kernels/lib/bvh_stream_occluded.h",
+                 content(ONDE_SOURCE_DIR "/kernels/lib/bvh_stream_occluded.h") + "// mine\n");
+    const Json list = figures_of("traversal '" + CORNELL + "' --side 64 --repetitions 1 --sets ao" +
+                                 " --walks stream --against '" + mine + "'");
+    REQUIRE(values_of(list, "set") == std::set<std::string>{"ao"});
+    const Json& modes = list.front().at("modes");
+    CHECK(modes.at("against stream").get<double>() > 0);
+    CHECK(modes.at("against single").get<double>() > 0);
+    CHECK(modes.contains("embree stream64 coherent"));
+    CHECK_FALSE(modes.contains("embree packet8 coherent"));
+}
+
 TEST_CASE("the build bench measures every builder's rate, cost and memory") {
     const Json list = figures_of("build '" + CORNELL + "' --repetitions 1");
     CHECK(values_of(list, "builder") == std::set<std::string>{"onde sah", "onde high", "onde refit",
@@ -86,13 +103,17 @@ TEST_CASE("benches refuse wrong input with one sentence and exit code 2") {
         {"'" + CORNELL + "' --json gone/figures.json", "gone"},
         {"'" + CORNELL + "' --json .", "folder"},
         {"--repetitions none", "--repetitions"}};
-    for (const char* name : {"traversal ", "build "})
-        for (const auto& [arguments, culprit] : cases) {
-            INFO(name << arguments);
-            CHECK(bench(folder, name + arguments) == 2);
-            const std::string error = content(folder / "err");
-            const size_t last = error.rfind('\n', error.size() - 2) + 1; // after lines of progress
-            CHECK_THAT(error.substr(last), Catch::Contains(culprit));
-            CHECK(content(folder / "out").empty());
-        }
+    const auto refuses = [&](const std::string& line, const std::string& culprit) {
+        INFO(line);
+        CHECK(bench(folder, line) == 2);
+        const std::string error = content(folder / "err");
+        const size_t last = error.rfind('\n', error.size() - 2) + 1; // after lines of progress
+        CHECK_THAT(error.substr(last), Catch::Contains(culprit));
+        CHECK(content(folder / "out").empty());
+    };
+    for (const auto& [arguments, culprit] : cases)
+        for (const char* name : {"traversal ", "build "}) refuses(name + arguments, culprit);
+    refuses("traversal --sets shadows", "--sets");
+    refuses("traversal --walks fast", "--walks");
+    refuses("traversal --against gone", "gone: no such folder");
 }

@@ -112,12 +112,13 @@ class Race {
     void add_single(const std::string& name, Side side, TreeWalker& onde) {
         add(name, side, onde, set_.any_hit ? &TreeWalker::occluded : &TreeWalker::closest);
     }
-    /// Ray by ray, in packets where those find closest hits, and in streams.
+    /// Ray by ray, in streams, and where those find closest hits in packets and in turns.
     void add_walks(const std::string& who, Side side, TreeWalker& onde) {
         add_single(who + " single", side, onde);
-        if (!set_.any_hit) add(who + " packet", side, onde, &TreeWalker::closest_packet);
-        add(who + " stream", side, onde,
-            set_.any_hit ? &TreeWalker::occluded_stream : &TreeWalker::closest_stream);
+        if (set_.any_hit) return add(who + " stream", side, onde, &TreeWalker::occluded_stream);
+        add(who + " packet", side, onde, &TreeWalker::closest_packet);
+        add(who + " stream", side, onde, &TreeWalker::closest_stream);
+        add(who + " turns", side, onde, &TreeWalker::closest_turns);
     }
 
     size_t mismatches(const std::vector<Hit>& hits, const std::vector<uint32_t>& blocked) const {

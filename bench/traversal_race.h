@@ -19,7 +19,7 @@ struct Timing {
 struct RaceOptions {
     uint32_t repetitions = 5;
     bool cpu_time = false; ///< processor time instead of wall-clock time
-    /// "packet", "stream": who takes part beside the single rays; nobody named: everyone.
+    /// "packet", "stream", "turns": who takes part beside the single rays; nobody named: everyone.
     std::vector<std::string> walks{};
 };
 

@@ -5,6 +5,7 @@
     #include "lib/bvh_packet.h"
     #include "lib/bvh_stream_closest.h"
     #include "lib/bvh_stream_occluded.h"
+    #include "lib/bvh_turns.h"
 #endif
 
 #define BVH_PARAMETERS                                                                             \
@@ -69,34 +70,26 @@ __kernel void occluded_stream(uint count, BVH_PARAMETERS, __global const float* 
     for (uint lane = 0; lane < live; lane++) blocked[first + lane] = hit >> lane & 1;
 }
 
-// The kernels below: work item i takes rays 16 i to 16 i + 15, where the set has as many.
-INLINE void closest_of_sixteen(uint count, BvhView bvh, __global const float* rays,
-                               __global float* hits, uint as_packet) {
-    const uint first = STREAM_WIDTH * get_global_id(0);
-    if (first >= count) return;
-    StreamRays stream;
-    StreamHits found;
-    float t_min[STREAM_WIDTH], t_max[STREAM_WIDTH];
-    load_stream(rays, first, count, STREAM_WIDTH, &stream, t_min, t_max);
-    clear_stream_hits(&found, vload16(0, t_max));
-    const uint live = min(count - first, (uint)STREAM_WIDTH);
-    if (as_packet)
-        bvh_closest_packet(BVH_TO_SCALARS(bvh), &stream, t_min, &found);
-    else
-        bvh_closest_stream(BVH_TO_SCALARS(bvh), &stream, t_min, &found, (1u << live) - 1);
-    for (uint lane = 0; lane < live; lane++)
-        store_hit(hits, first + lane, stream_hit(&found, lane));
-}
+    // The kernels below: work item i takes rays 16 i to 16 i + 15, where the set has as many, by
+    // one of the walks.
+    #define CLOSEST_OF_SIXTEEN(name, walk)                                                         \
+        __kernel void name(uint count, BVH_PARAMETERS, __global const float* rays,                 \
+                           __global float* hits) {                                                 \
+            const uint first = STREAM_WIDTH * get_global_id(0);                                    \
+            if (first >= count) return;                                                            \
+            const BvhView bvh = BVH_VIEW;                                                          \
+            StreamRays stream;                                                                     \
+            StreamHits found;                                                                      \
+            float t_min[STREAM_WIDTH], t_max[STREAM_WIDTH];                                        \
+            load_stream(rays, first, count, STREAM_WIDTH, &stream, t_min, t_max);                  \
+            clear_stream_hits(&found, vload16(0, t_max));                                          \
+            const uint live = min(count - first, (uint)STREAM_WIDTH);                              \
+            walk(BVH_TO_SCALARS(bvh), &stream, t_min, &found, (1u << live) - 1);                   \
+            for (uint lane = 0; lane < live; lane++)                                               \
+                store_hit(hits, first + lane, stream_hit(&found, lane));                           \
+        }
 
-__kernel void closest_stream(uint count, BVH_PARAMETERS, __global const float* rays,
-                             __global float* hits) {
-    const BvhView bvh = BVH_VIEW;
-    closest_of_sixteen(count, bvh, rays, hits, 0);
-}
-
-__kernel void closest_packet(uint count, BVH_PARAMETERS, __global const float* rays,
-                             __global float* hits) {
-    const BvhView bvh = BVH_VIEW;
-    closest_of_sixteen(count, bvh, rays, hits, 1);
-}
+CLOSEST_OF_SIXTEEN(closest_packet, bvh_closest_packet)
+CLOSEST_OF_SIXTEEN(closest_stream, bvh_closest_stream)
+CLOSEST_OF_SIXTEEN(closest_turns, bvh_closest_turns)
 #endif

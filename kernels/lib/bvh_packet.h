@@ -11,8 +11,8 @@
 
 // Rays that leave for an instance's space no longer share a frustum: in company.
 OUTLINED void bvh_closest_packet(BVH_SCALARS, StreamRays* rays, const float* t_min,
-                                 StreamHits* hits) {
-    bvh_closest_stream(nodes, blocks, spheres, instances, root, rays, t_min, hits, 0xffffu);
+                                 StreamHits* hits, uint bits) {
+    bvh_closest_stream(nodes, blocks, spheres, instances, root, rays, t_min, hits, bits);
 }
 
 #else
@@ -61,6 +61,12 @@ INLINE int16 finite_rays(Packet packet) {
     const float16 y = (packet.origin.y + packet.direction.y) * 0.0f;
     const float16 z = (packet.origin.z + packet.direction.z) * 0.0f;
     return x + y + z == 0.0f;
+}
+
+INLINE int16 lanes_of(uint bits) {
+    const int16 places = (int16)(0x1, 0x2, 0x4, 0x8, 0x10, 0x20, 0x40, 0x80, 0x100, 0x200, 0x400,
+                                 0x800, 0x1000, 0x2000, 0x4000, 0x8000);
+    return ((int16)((int)bits) & places) != 0;
 }
 
 INLINE uint16 octants(Packet packet) {
@@ -264,17 +270,18 @@ INLINE void walk_octant(BvhView bvh, const StreamRays* stream, Packet rays, cons
     }
 }
 
-// Closest hits of 16 rays of any directions, as bvh_closest_stream of all of them.
+// As bvh_closest_stream.
 OUTLINED void bvh_closest_packet(BVH_SCALARS, StreamRays* rays, const float* t_min,
-                                 StreamHits* hits) {
+                                 StreamHits* hits, uint bits) {
     const BvhView bvh = BVH_FROM_SCALARS;
     const Packet packet = load_packet(rays, t_min);
+    const int16 asked = finite_rays(packet) & lanes_of(bits);
     const uint16 octant_of = octants(packet);
     uint octant_list[16];
     vstore16(octant_of, 0, octant_list);
-    for (uint rest = bits16(finite_rays(packet)); rest;) {
+    for (uint rest = bits16(asked); rest;) {
         const uint octant = octant_list[lowest_bit(rest)];
-        const int16 lanes = (octant_of == (uint16)(octant)) & finite_rays(packet);
+        const int16 lanes = (octant_of == (uint16)(octant)) & asked;
         walk_octant(bvh, rays, packet, t_min, lanes, octant, hits);
         rest &= ~bits16(lanes);
     }

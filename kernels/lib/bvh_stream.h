@@ -53,6 +53,16 @@ INLINE float3 stream_direction(const StreamRays* rays, uint r) {
     return (float3)(rays->direction[0][r], rays->direction[1][r], rays->direction[2][r]);
 }
 
+INLINE void set_axis(StreamRays* rays, uint axis, uint r, float origin, float direction,
+                     float inverse, float near, float far, uint plane) {
+    rays->origin[axis][r] = origin;
+    rays->direction[axis][r] = direction;
+    rays->inverse[axis][r] = inverse;
+    rays->near[axis][r] = near;
+    rays->far[axis][r] = far;
+    rays->plane[axis][r] = plane;
+}
+
 INLINE uint finite_stream(const StreamRays* rays, uint halves) {
     uint finite = 0;
     for (uint i = 0; i < halves; i++) {
@@ -74,6 +84,24 @@ INLINE SlabRay stream_slab(const StreamRays* rays, uint r) {
 }
 
 #if ONDE_INSTANCES
+// Puts a ray that is placed into place r.
+INLINE void set_stream_ray(StreamRays* rays, uint r, PlacedRay ray) {
+    const float3 origin = ray.origin, direction = ray.direction;
+    const SlabRay slab = ray.slab;
+    set_axis(rays, 0, r, origin.x, direction.x, slab.inverse.x, slab.near.x, slab.far.x,
+             slab.plane.x);
+    set_axis(rays, 1, r, origin.y, direction.y, slab.inverse.y, slab.near.y, slab.far.y,
+             slab.plane.y);
+    set_axis(rays, 2, r, origin.z, direction.z, slab.inverse.z, slab.near.z, slab.far.z,
+             slab.plane.z);
+}
+INLINE void copy_stream_ray(StreamRays* to, const StreamRays* from, uint r) {
+    for (uint axis = 0; axis < 3; axis++)
+        set_axis(to, axis, r, from->origin[axis][r], from->direction[axis][r],
+                 from->inverse[axis][r], from->near[axis][r], from->far[axis][r],
+                 from->plane[axis][r]);
+}
+
 // The rays in the space of an instance.
 INLINE void place_stream(StreamRays* inside, const StreamRays* world,
                          __global const BvhInstance* placed, uint halves) {

@@ -43,13 +43,16 @@ INLINE void bvh_prefetch(BvhView bvh, uint word) {
     ulong entry = stack_entry(near[slot_##entry], children[slot_##entry]);                         \
     bits &= bits - 1;
 
+#define PREFETCH_NONE 0
+#define PREFETCH_WAITING 1
+
 // Pushes the children in `bits`, of which there are at least two, but for the nearest, which it
-// returns; nearer ones lie higher on the stack.
+// returns; nearer ones lie higher on the stack. All but the first are prefetched, or none.
 INLINE ulong push_farther(ulong* stack, uint* size, BvhView bvh, __global const uint* children,
-                          const float* near, uint bits) {
+                          const float* near, uint bits, uint prefetches) {
     NEXT_ENTRY(a)
     NEXT_ENTRY(b)
-    bvh_prefetch(bvh, (uint)b);
+    if (prefetches) bvh_prefetch(bvh, (uint)b);
     ulong* top = stack + *size;
     if (!bits) {
         SORT_DESCENDING(a, b)
@@ -58,7 +61,7 @@ INLINE ulong push_farther(ulong* stack, uint* size, BvhView bvh, __global const 
         return b;
     }
     NEXT_ENTRY(c)
-    bvh_prefetch(bvh, (uint)c);
+    if (prefetches) bvh_prefetch(bvh, (uint)c);
     if (!bits) {
         SORT_DESCENDING(a, b)
         SORT_DESCENDING(b, c)
@@ -69,7 +72,7 @@ INLINE ulong push_farther(ulong* stack, uint* size, BvhView bvh, __global const 
         return c;
     }
     NEXT_ENTRY(d)
-    bvh_prefetch(bvh, (uint)d);
+    if (prefetches) bvh_prefetch(bvh, (uint)d);
     SORT_DESCENDING(a, b)
     SORT_DESCENDING(c, d)
     SORT_DESCENDING(a, c)
@@ -81,7 +84,7 @@ INLINE ulong push_farther(ulong* stack, uint* size, BvhView bvh, __global const 
     *size += 3;
     while (bits) { // insertion from the top; d stays the nearest
         NEXT_ENTRY(e)
-        bvh_prefetch(bvh, (uint)e);
+        if (prefetches) bvh_prefetch(bvh, (uint)e);
         SORT_DESCENDING(e, d)
         uint i = (*size)++;
         for (; stack + i > top && stack[i - 1] < e; i--) stack[i] = stack[i - 1];
@@ -110,8 +113,8 @@ INLINE Hit closest_below(BvhView bvh, uint word, float distance, PlacedRay start
                 word = children[first];
                 distance = near[first];
                 if (hits.bits & (hits.bits - 1)) {
-                    const ulong nearest =
-                        push_farther(stack, &size, bvh, children, near, hits.bits);
+                    const ulong nearest = push_farther(stack, &size, bvh, children, near, hits.bits,
+                                                       PREFETCH_WAITING);
                     word = (uint)nearest;
                     distance = entry_distance(nearest);
                 }

@@ -9,10 +9,11 @@
     #include "lib/bvh_packet.h"
     #include "lib/bvh_stream_closest.h"
     #include "lib/bvh_stream_occluded.h"
+    #include "lib/bvh_turns.h"
 #endif
 
-// Whether rays of several lanes may walk in company, and the bounces from the camera that do;
-// shadow rays then always do.
+// Whether rays of several lanes may walk in company, and the bounces from the camera that do, after
+// which they take turns; shadow rays then always walk in company.
 #ifndef ONDE_STREAMS
     #define ONDE_STREAMS (ONDE_CPU && ONDE_WIDTH > 1 && ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE)
 #endif
@@ -20,7 +21,7 @@
     #define ONDE_STREAM_BOUNCES 2
 #endif
 
-// Whether full groups of primary rays go through the tree as packets.
+// Whether primary rays go through the tree as packets.
 #ifndef ONDE_PRIMARY_PACKETS
     #define ONDE_PRIMARY_PACKETS 0
 #endif
@@ -77,28 +78,18 @@ INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits)
 }
 
 #if ONDE_STREAMS
-// Up to 16 rays of a bounce: full groups of primary rays as a packet, those that just left what the
-// camera sees in company, the rest, which has little in common, ray by ray.
+// Up to 16 rays of a bounce: primary rays as a packet, those that just left what the camera sees in
+// company, the rest, which has little in common, in turns.
 INLINE void closest_in_company(BvhView bvh, StreamRays* rays, StreamHits* hits, uint bounce,
                                uint bits) {
     const float t_min[STREAM_WIDTH] = {0.0f};
     clear_stream_hits(hits, RAY_INFINITY);
-    #if ONDE_PRIMARY_PACKETS && !ONDE_INSTANCES
-    if (bounce == 0 && bits == 0xffffu) {
-        bvh_closest_packet(BVH_TO_SCALARS(bvh), rays, t_min, hits);
-        return;
-    }
-    #endif
-    if (bounce < ONDE_STREAM_BOUNCES) {
+    if (bounce == 0 && ONDE_PRIMARY_PACKETS)
+        bvh_closest_packet(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
+    else if (bounce < ONDE_STREAM_BOUNCES)
         bvh_closest_stream(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
-        return;
-    }
-    for (; bits; bits &= bits - 1) {
-        const uint r = lowest_bit(bits);
-        set_stream_hit(hits, r,
-                       bvh_closest(bvh, stream_origin(rays, r), 0.0f, stream_direction(rays, r),
-                                   RAY_INFINITY));
-    }
+    else
+        bvh_closest_turns(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
 }
 
 INLINE void load_stream(StreamRays* rays, real3 origin, real3 direction) {

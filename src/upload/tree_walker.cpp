@@ -9,7 +9,8 @@ constexpr size_t MANY = 1u << 20;
 gpu::ProgramRequest request(const Bvh& tree, std::vector<std::string> defines) {
     std::vector<gpu::KernelShape> kernels{{"closest", 64, MANY}, {"occluded", 64, MANY}};
     if (tree.layout == BvhLayout::wide)
-        for (const char* name : {"closest_packet", "closest_stream", "occluded_stream"})
+        for (const char* name :
+             {"closest_packet", "closest_stream", "closest_turns", "occluded_stream"})
             kernels.push_back({name, 4, MANY});
     defines.push_back(fmt::format("ONDE_STACK_SIZE={}", tree.stack_size));
     defines.push_back("ONDE_INSTANCES=0");

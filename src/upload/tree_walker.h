@@ -43,12 +43,13 @@ class TreeWalker {
                const gpu::ProgramCache* cache, const Geometry& geometry, const BvhOptions& options,
                std::vector<std::string> defines = {});
 
-    /// Each launches one kernel over the set and waits for it. Packets and streams walk the wide
-    /// layout only.
+    /// Each launches one kernel over the set and waits for it. Packets, streams and turns
+    /// walk the wide layout only.
     void closest(const WalkRays& set) { launch("closest", 1, set, set.hits); }
     void occluded(const WalkRays& set) { launch("occluded", 1, set, set.blocked); }
     void closest_packet(const WalkRays& set) { launch("closest_packet", 16, set, set.hits); }
     void closest_stream(const WalkRays& set) { launch("closest_stream", 16, set, set.hits); }
+    void closest_turns(const WalkRays& set) { launch("closest_turns", 16, set, set.hits); }
     void occluded_stream(const WalkRays& set) { launch("occluded_stream", 32, set, set.blocked); }
 
   private:

@@ -5,6 +5,7 @@
 #include "support/device.h"
 #include "support/test_cache.h"
 #include "upload/tree_walker.h"
+#include <array>
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cstring>
@@ -63,6 +64,13 @@ class Tracer {
     std::vector<Hit> closest_stream(std::span<const Ray> rays) {
         return trace<Hit>("closest_stream", rays, (rays.size() + 15) / 16);
     }
+    std::vector<Hit> closest_turns(std::span<const Ray> rays) {
+        return trace<Hit>("closest_turns", rays, (rays.size() + 15) / 16);
+    }
+    /// What each of the walks finds: single rays, packets, streams, turns.
+    std::array<std::vector<Hit>, 4> closest_by_all(std::span<const Ray> rays) {
+        return {closest(rays), closest_packet(rays), closest_stream(rays), closest_turns(rays)};
+    }
     std::vector<uint32_t> occluded(std::span<const Ray> rays) {
         return trace<uint32_t>("occluded", rays, rays.size());
     }
@@ -82,7 +90,8 @@ class Tracer {
         defines.push_back(fmt::format("ONDE_BVH_LAYOUT={}", uint32_t(bvh.layout)));
         std::vector<KernelShape> kernels{{"closest", 64}, {"occluded", 64}};
         if (bvh.layout == BvhLayout::wide)
-            for (const char* name : {"closest_packet", "closest_stream", "occluded_stream"})
+            for (const char* name :
+                 {"closest_packet", "closest_stream", "closest_turns", "occluded_stream"})
                 kernels.push_back({name, 1});
         return {"bench/traversal.cl", std::move(defines), std::move(kernels)};
     }

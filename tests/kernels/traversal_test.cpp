@@ -47,7 +47,7 @@ TEST_CASE("a million rays at a scanned bunny hit what Embree says") {
                                                random_rays(510000, 11, 1.0f)));
 }
 
-TEST_CASE("packets and streams answer like single rays, bit for bit") {
+TEST_CASE("packets, streams and turns answer like single rays, bit for bit") {
     const std::vector<Ray> rays = varied_rays();
     Soup mixed = random_triangles(2000, 0.1f, 12);
     mixed.spheres = random_spheres(300, 0.1f, 13).spheres;
@@ -55,14 +55,14 @@ TEST_CASE("packets and streams answer like single rays, bit for bit") {
                                World(random_triangles(6, 1.0f, 14))})
         for (const char* alone : {"STREAM_ALONE=0", "STREAM_ALONE=3"}) {
             Tracer tracer(world, {alone});
-            const std::vector<Hit> hits = tracer.closest(rays);
-            CHECK(differences(hits, tracer.closest_packet(rays)) == 0);
-            CHECK(differences(hits, tracer.closest_stream(rays)) == 0);
+            const std::vector<Hit> single = tracer.closest(rays);
+            for (const std::vector<Hit>& hits : tracer.closest_by_all(rays))
+                CHECK(differences(single, hits) == 0);
             CHECK(differences(tracer.occluded(rays), tracer.occluded_stream(rays)) == 0);
         }
 }
 
-TEST_CASE("streams keep each ray's own interval") {
+TEST_CASE("streams and turns keep each ray's own interval") {
     std::vector<Ray> rays = varied_rays();
     Generator generator(51);
     for (Ray& ray : rays) {
@@ -72,16 +72,18 @@ TEST_CASE("streams keep each ray's own interval") {
     for (const World& world : {World(bumpy_terrain(100)), grove()}) {
         Tracer tracer(world);
         CHECK(differences(tracer.closest(rays), tracer.closest_stream(rays)) == 0);
+        CHECK(differences(tracer.closest(rays), tracer.closest_turns(rays)) == 0);
         CHECK(differences(tracer.occluded(rays), tracer.occluded_stream(rays)) == 0);
     }
 }
 
-TEST_CASE("a packet or stream that is not full answers for its rays alone") {
+TEST_CASE("a group of rays that is not full answers for its rays alone") {
     const World world(bumpy_terrain(20));
     Tracer tracer(world);
     const std::vector<Ray> rays = random_rays(37, 15, 1.0f);
-    CHECK(differences(tracer.closest(rays), tracer.closest_packet(rays)) == 0);
-    CHECK(differences(tracer.closest(rays), tracer.closest_stream(rays)) == 0);
+    const std::vector<Hit> single = tracer.closest(rays);
+    for (const std::vector<Hit>& hits : tracer.closest_by_all(rays))
+        CHECK(differences(single, hits) == 0);
     CHECK(differences(tracer.occluded(rays), tracer.occluded_stream(rays)) == 0);
 }
 
@@ -90,9 +92,9 @@ TEST_CASE("the portable code answers like that with machine instructions, bit fo
     for (const World& world : {World(bumpy_terrain(150)), grove()}) {
         Tracer fast(world);
         Tracer portable(world, {"ONDE_AVX512=0", "ONDE_AVX2=0"});
-        CHECK(differences(fast.closest(rays), portable.closest(rays)) == 0);
-        CHECK(differences(fast.closest_packet(rays), portable.closest_packet(rays)) == 0);
-        CHECK(differences(fast.closest_stream(rays), portable.closest_stream(rays)) == 0);
+        const std::vector<Hit> hits = fast.closest(rays);
+        for (const std::vector<Hit>& others : portable.closest_by_all(rays))
+            CHECK(differences(hits, others) == 0);
         CHECK(differences(fast.occluded(rays), portable.occluded(rays)) == 0);
         CHECK(differences(fast.occluded_stream(rays), portable.occluded_stream(rays)) == 0);
     }
@@ -166,8 +168,7 @@ TEST_CASE("of triangles in one place the one with the smallest id is hit") {
         const float x = uniform(generator, -0.8f, 0.4f), y = uniform(generator, -0.8f, 0.4f);
         rays.push_back({{x, y, 3}, 0.0f, {0.01f, 0.02f, -1}, 1e30f});
     }
-    for (const std::vector<Hit>& hits :
-         {tracer.closest(rays), tracer.closest_packet(rays), tracer.closest_stream(rays)})
+    for (const std::vector<Hit>& hits : tracer.closest_by_all(rays))
         CHECK(std::ranges::all_of(hits, [](const Hit& hit) { return hit.primitive == 0; }));
 }
 
@@ -193,8 +194,7 @@ TEST_CASE("axis-parallel rays in the planes of boxes find the triangles there") 
                                     1e30f});
     Tracer tracer(world);
     const std::vector<uint32_t> blocked = tracer.occluded(rays);
-    for (const std::vector<Hit>& hits :
-         {tracer.closest(rays), tracer.closest_packet(rays), tracer.closest_stream(rays)})
+    for (const std::vector<Hit>& hits : tracer.closest_by_all(rays))
         for (size_t i = 0; i < rays.size(); ++i) {
             INFO("ray " << i);
             REQUIRE(is_hit(hits[i]));
@@ -229,8 +229,8 @@ TEST_CASE("a hit lies in the half-open interval from t_min to t_max") {
     const auto hits = [&](float t_min, float t_max) {
         const std::vector<Ray> rays = {{{0.25f, 0.25f, 0}, t_min, {0, 0, 1}, t_max}};
         const bool closest = is_hit(tracer.closest(rays)[0]);
-        CHECK(closest == is_hit(tracer.closest_packet(rays)[0]));
-        CHECK(closest == is_hit(tracer.closest_stream(rays)[0]));
+        for (const std::vector<Hit>& found : tracer.closest_by_all(rays))
+            CHECK(closest == is_hit(found[0]));
         CHECK(closest == bool(tracer.occluded(rays)[0]));
         CHECK(closest == bool(tracer.occluded_stream(rays)[0]));
         return closest;
@@ -258,8 +258,7 @@ TEST_CASE("rays with NaN or infinity, and rays into an empty world, hit nothing"
         Tracer tracer(world);
         const std::vector<Ray> asked =
             world.geometries[0].triangles.empty() ? random_rays(100, 20) : rays;
-        for (const std::vector<Hit>& hits :
-             {tracer.closest(asked), tracer.closest_packet(asked), tracer.closest_stream(asked)})
+        for (const std::vector<Hit>& hits : tracer.closest_by_all(asked))
             CHECK(std::ranges::none_of(hits, is_hit));
         for (uint32_t blocked : tracer.occluded(asked)) CHECK(blocked == 0);
         for (uint32_t blocked : tracer.occluded_stream(asked)) CHECK(blocked == 0);

@@ -47,7 +47,7 @@ class Race {
         expected_blocked_ = blocked_;
         for (const EmbreeMode& mode : embree_modes(embree)) add(embree, mode);
         add_walks("onde", Side::onde, onde.wide);
-        add_single("onde portable single", Side::onde, onde.portable);
+        add_walks("onde portable", Side::onde, onde.portable);
         add_single("onde watertight single", Side::onde_watertight, onde.watertight);
         add_single("onde compressed single", Side::onde, onde.compressed);
         add_single("onde binary single", Side::onde, onde.binary);

@@ -23,9 +23,9 @@ struct RaceOptions {
     std::vector<std::string> walks{};
 };
 
-/// Times every mode of Embree's, and Onde's trees: the wide one ray by ray, in packets where those
-/// find closest hits, and in streams; the others, and the code without machine instructions, ray by
-/// ray; and the walks of other kernels, where there are any. The reference is Embree's single ray:
+/// Times every mode of Embree's, and Onde's trees: the wide one by all walks, with and without
+/// machine instructions; the others ray by ray; and all walks of other kernels, where there are
+/// any. The reference is Embree's single ray:
 /// a hit differs when t does by more than 1e-4 of it. `set` is not empty.
 std::vector<Timing> race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree,
                          OndeTracers& onde, const RaceOptions& options);

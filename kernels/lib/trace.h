@@ -12,8 +12,8 @@
     #include "lib/bvh_turns.h"
 #endif
 
-// Whether rays of several lanes may walk in company, and the bounces from the camera that do, after
-// which they take turns; shadow rays then always walk in company.
+// Whether rays of several lanes may walk in company, and the bounces from the camera that do;
+// shadow rays then always do.
 #ifndef ONDE_STREAMS
     #define ONDE_STREAMS (ONDE_CPU && ONDE_WIDTH > 1 && ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE)
 #endif
@@ -24,6 +24,12 @@
 // Whether primary rays go through the tree as packets.
 #ifndef ONDE_PRIMARY_PACKETS
     #define ONDE_PRIMARY_PACKETS 0
+#endif
+
+// Whether rays of later bounces, which have little in common, take turns instead of walking one
+// after the other: for trees that the caches do not hold.
+#ifndef ONDE_TURNS
+    #define ONDE_TURNS 0
 #endif
 
 #define RAY_INFINITY 1e30f
@@ -79,17 +85,29 @@ INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits)
 
 #if ONDE_STREAMS
 // Up to 16 rays of a bounce: primary rays as a packet, those that just left what the camera sees in
-// company, the rest, which has little in common, in turns.
+// company, the rest in turns or one after the other.
 INLINE void closest_in_company(BvhView bvh, StreamRays* rays, StreamHits* hits, uint bounce,
                                uint bits) {
     const float t_min[STREAM_WIDTH] = {0.0f};
     clear_stream_hits(hits, RAY_INFINITY);
-    if (bounce == 0 && ONDE_PRIMARY_PACKETS)
+    if (bounce == 0 && ONDE_PRIMARY_PACKETS) {
         bvh_closest_packet(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
-    else if (bounce < ONDE_STREAM_BOUNCES)
+        return;
+    }
+    if (bounce < ONDE_STREAM_BOUNCES) {
         bvh_closest_stream(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
-    else
-        bvh_closest_turns(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
+        return;
+    }
+    #if ONDE_TURNS
+    bvh_closest_turns(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
+    #else
+    for (; bits; bits &= bits - 1) {
+        const uint r = lowest_bit(bits);
+        set_stream_hit(hits, r,
+                       bvh_closest(bvh, stream_origin(rays, r), 0.0f, stream_direction(rays, r),
+                                   RAY_INFINITY));
+    }
+    #endif
 }
 
 INLINE void load_stream(StreamRays* rays, real3 origin, real3 direction) {

@@ -120,6 +120,8 @@ void declare_engine(Command& command, RenderRequest& r) {
                    "suits the device)");
     command.choice("--queue", r.queue, QUEUES, "Where live rays are kept");
     command.choice("--packets", r.packets, SWITCH, "Primary rays in packets of 16");
+    command.choice("--turns", r.turns, SWITCH,
+                   "Rays of late bounces in turns (where the tree is larger than the cache)");
     command.option("--lanes", &r.width, "Paths shaded at once by a work item: 1, 8 or 16",
                    {.value = "N"});
     command.option("--wave-size", &r.wave_size, "Paths in flight", {.value = "N"});
@@ -154,6 +156,7 @@ void resolve_settings(const RenderRequest& request, gpu::DeviceSettings& setting
     if (settings.queue == gpu::QueueKind::global) settings.launch = gpu::Launch::staged;
     settings.launch = request.launch.value_or(settings.launch);
     settings.primary_packets = request.packets.value_or(settings.primary_packets);
+    if (request.turns) settings.turns_above = *request.turns ? 0 : UINT64_MAX;
     settings.chunk = request.chunk.value_or(std::max(settings.chunk, settings.width));
     settings.wave_size = request.wave_size.value_or(settings.wave_size);
     if (settings.chunk == 0) return;

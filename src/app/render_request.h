@@ -33,7 +33,7 @@ struct RenderRequest {
     std::optional<Engine> engine;
     std::optional<gpu::Launch> launch;
     std::optional<gpu::QueueKind> queue;
-    std::optional<bool> packets;
+    std::optional<bool> packets, turns;
     std::optional<Filter> filter;
     BvhOptions bvh;
     std::optional<BvhLayout> layout;

@@ -62,6 +62,7 @@ void learn_device(const cl::Device& device, DeviceFacts& facts) {
     if (facts.is_cpu) learn_host_cpu(facts);
     facts.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
     facts.global_memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+    facts.cache = device.getInfo<CL_DEVICE_GLOBAL_MEM_CACHE_SIZE>();
     facts.max_allocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     facts.max_work_group_size = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
     facts.correctly_rounded_divide_sqrt =

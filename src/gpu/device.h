@@ -20,6 +20,7 @@ struct DeviceFacts {
     bool avx2 = false, avx512 = false; ///< of the host, where the device is a CPU
     uint32_t compute_units = 0;
     uint64_t global_memory = 0;  ///< bytes
+    uint64_t cache = 0;          ///< bytes of the largest one between it and the units
     uint64_t max_allocation = 0; ///< bytes in one buffer
     size_t max_work_group_size = 1;
     bool correctly_rounded_divide_sqrt = false;

@@ -12,7 +12,8 @@ DeviceSettings default_settings(const DeviceFacts& facts) {
             .local_size = 1,
             .queue = QueueKind::chunk_local,
             .launch = Launch::fused,
-            .primary_packets = true};
+            .primary_packets = true,
+            .turns_above = facts.cache};
 }
 
 std::string describe(const DeviceSettings& settings) {

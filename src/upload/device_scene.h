@@ -14,6 +14,7 @@ class DeviceScene {
     DeviceScene(const gpu::Device& device, PackedScene packed);
 
     const PackedScene& packed() const { return packed_; }
+    uint64_t tree_bytes() const { return tree_.bytes(); }
 
     /// Binds the scene's parameters of a kernel (SCENE_PARAMETERS of kernels/lib/scene_view.h but
     /// for the first, the frame) from argument `first` on; returns the next index.

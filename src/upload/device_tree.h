@@ -16,6 +16,9 @@ class DeviceTree {
     /// next index.
     uint32_t bind(gpu::Kernel& kernel, uint32_t first) const;
 
+    /// What a walk may read of nodes and leaves.
+    uint64_t bytes() const { return nodes_.size() + leaves_.size(); }
+
   private:
     gpu::Buffer<uint8_t> nodes_, leaves_;
     gpu::Buffer<BvhSphere> spheres_;

@@ -18,6 +18,7 @@ struct Variant {
     gpu::QueueKind queue;
     uint32_t width;
     bool packets;
+    bool turns = false;
 };
 
 /// Every width in the fused engine, one that is quick to compile in the others.
@@ -27,8 +28,8 @@ inline constexpr Variant VARIANTS[] = {
     {"fused, 8 lanes, packets", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local,
      8, true},
     {"fused, 1 lane", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local, 1, false},
-    {"staged, 8 lanes", Engine::wavefront, gpu::Launch::staged, gpu::QueueKind::chunk_local, 8,
-     false},
+    {"staged, 8 lanes, turns", Engine::wavefront, gpu::Launch::staged, gpu::QueueKind::chunk_local,
+     8, false, true},
     {"staged, global queue, 8 lanes", Engine::wavefront, gpu::Launch::staged,
      gpu::QueueKind::global, 8, false},
     {"staged, global queue, 1 lane", Engine::wavefront, gpu::Launch::staged, gpu::QueueKind::global,
@@ -45,6 +46,7 @@ inline RenderOptions apply(RenderOptions options, const Variant& variant) {
     options.settings.queue = variant.queue;
     options.settings.width = variant.width;
     options.settings.primary_packets = variant.packets;
+    options.settings.turns_above = variant.turns ? 0 : UINT64_MAX;
     return options;
 }
 

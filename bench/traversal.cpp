@@ -48,11 +48,11 @@ std::vector<SetReport> measure(const Model& model, const gpu::Device& device,
 
 void run(const Options& options) {
     if (!options.json.empty()) check_writable(options.json);
-    const std::vector<Model> models = load_models(options.scenes);
-    const gpu::Device device = gpu::open_device(options.device);
     const gpu::KernelSources sources = gpu::KernelSources::from(options.kernels);
     std::optional<gpu::KernelSources> others;
     if (!options.against.empty()) others = gpu::KernelSources::from(options.against);
+    const gpu::Device device = gpu::open_device(options.device);
+    const std::vector<Model> models = load_models(options.scenes);
     fmt::print("{}, --bvh {}; Embree {}, quality high, {} threads\n", device.facts().name,
                options.builder == BvhBuilder::high ? "high" : "sah", RTC_VERSION_STRING,
                std::thread::hardware_concurrency());

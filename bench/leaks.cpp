@@ -2,7 +2,7 @@
 // without, and what the option costs: the same rays, with and without in turn.
 #include "front.h"
 
-#include "lab/leak_trials.h"
+#include "chapter/leak_trials.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 // each stage are printed.
 #include "front.h"
 
+#include "chapter/raster_depth_buffer.h"
+#include "chapter/raster_painter.h"
 #include "core/timer.h"
-#include "render/raster_depth_buffer.h"
-#include "render/raster_painter.h"
 
 #include <algorithm>
 #include <cmath>

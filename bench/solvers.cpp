@@ -81,11 +81,11 @@ class Race {
     }
 
   private:
-    static constexpr size_t ITEMS = 16; // SOLVER_ITEMS of kernels/bench/solvers.cl
+    static constexpr size_t ITEMS = 16; // SOLVER_ITEMS of kernels/chapter/solvers.cl
 
     static gpu::ProgramRequest request(const Options& options) {
         gpu::ProgramRequest request{
-            "bench/solvers.cl", {fmt::format("ONDE_WIDTH={}", options.width)}, {}};
+            "chapter/solvers.cl", {fmt::format("ONDE_WIDTH={}", options.width)}, {}};
         for (const char* kernel : {"inverse", "gauss", "cramer", "production"})
             request.kernels.push_back({kernel, 16, options.rays / ITEMS});
         return request;

@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
                  .delimiter = ',',
                  .words = {"primary", "shadow", "ao", "bounce", "bounce3"}});
     root.option(
-        "--walks", &options.race.walks, "only these walks, beside single rays",
+        "--traversals", &options.race.walks, "only these walks, beside single rays",
         {.value = "WORD,...", .delimiter = ',', .words = {"single", "packet", "stream", "turns"}});
     root.option("--against", &options.against, "race the walks of the kernels in this folder too",
                 {.value = "DIR"});

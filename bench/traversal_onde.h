@@ -8,8 +8,8 @@
 namespace onde::bench {
 
 struct OndeTracers {
-    TreeWalker wide, portable, watertight, compressed, binary;
-    std::optional<TreeWalker> against; ///< the wide tree walked by other kernels
+    RayQuery wide, portable, watertight, compressed, binary;
+    std::optional<RayQuery> against; ///< the wide tree walked by other kernels
 
     OndeTracers(const gpu::Device& device, const gpu::KernelSources& sources,
                 const gpu::KernelSources* others, const Geometry& geometry, BvhBuilder builder)

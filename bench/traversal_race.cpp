@@ -46,12 +46,12 @@ class Race {
         expected_hits_ = hits_;
         expected_blocked_ = blocked_;
         for (const EmbreeMode& mode : embree_modes(embree)) add(embree, mode);
-        add_walks("onde", Side::onde, onde.wide);
-        add_walks("onde portable", Side::onde, onde.portable);
+        add_traversals("onde", Side::onde, onde.wide);
+        add_traversals("onde portable", Side::onde, onde.portable);
         add_single("onde watertight single", Side::onde_watertight, onde.watertight);
         add_single("onde compressed single", Side::onde, onde.compressed);
         add_single("onde binary single", Side::onde, onde.binary);
-        if (onde.against) add_walks("against", Side::against, *onde.against);
+        if (onde.against) add_traversals("against", Side::against, *onde.against);
     }
 
     std::vector<Timing> run() {
@@ -99,9 +99,9 @@ class Race {
                                [this] { return mismatches(hits_, blocked_); }});
     }
 
-    using Walk = void (TreeWalker::*)(const WalkRays&);
+    using Walk = void (RayQuery::*)(const QueryRays&);
 
-    void add(const std::string& name, Side side, TreeWalker& onde, Walk walk) {
+    void add(const std::string& name, Side side, RayQuery& onde, Walk walk) {
         if (!takes_part(name)) return;
         contenders_.push_back({name, side, [this, &onde, walk] { (onde.*walk)(on_device_); },
                                [this] {
@@ -109,16 +109,16 @@ class Race {
                                                      on_device_.blocked.read(device_));
                                }});
     }
-    void add_single(const std::string& name, Side side, TreeWalker& onde) {
-        add(name, side, onde, set_.any_hit ? &TreeWalker::occluded : &TreeWalker::closest);
+    void add_single(const std::string& name, Side side, RayQuery& onde) {
+        add(name, side, onde, set_.any_hit ? &RayQuery::occluded : &RayQuery::closest);
     }
     /// Ray by ray, in streams, and where those find closest hits in packets and in turns.
-    void add_walks(const std::string& who, Side side, TreeWalker& onde) {
+    void add_traversals(const std::string& who, Side side, RayQuery& onde) {
         add_single(who + " single", side, onde);
-        if (set_.any_hit) return add(who + " stream", side, onde, &TreeWalker::occluded_stream);
-        add(who + " packet", side, onde, &TreeWalker::closest_packet);
-        add(who + " stream", side, onde, &TreeWalker::closest_stream);
-        add(who + " turns", side, onde, &TreeWalker::closest_turns);
+        if (set_.any_hit) return add(who + " stream", side, onde, &RayQuery::occluded_stream);
+        add(who + " packet", side, onde, &RayQuery::closest_packet);
+        add(who + " stream", side, onde, &RayQuery::closest_stream);
+        add(who + " turns", side, onde, &RayQuery::closest_interleaved);
     }
 
     size_t mismatches(const std::vector<Hit>& hits, const std::vector<uint32_t>& blocked) const {
@@ -129,7 +129,7 @@ class Race {
     const RaySet& set_;
     const gpu::Device& device_;
     const RaceOptions& options_;
-    WalkRays on_device_;
+    QueryRays on_device_;
     std::vector<Hit> hits_, expected_hits_;
     std::vector<uint32_t> blocked_, expected_blocked_;
     std::vector<Contender> contenders_;

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "model.h"
-#include "upload/tree_walker.h"
+#include "upload/ray_query.h"
 
 namespace onde::bench {
 
-using Ray = WalkRay;
-using Hit = WalkHit;
+using Ray = QueryRay;
+using Hit = QueryHit;
 
 struct RaySet {
     std::string name;

@@ -19,27 +19,31 @@ SRC_ARROWS = {
     "gpu": {"core", "shared"},
     "upload": {"core", "image", "scene", "accel", "gpu", "shared"},
     "render": {"core", "image", "scene", "accel", "gpu", "upload", "shared"},
-    "lab": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
-    "app": {"core", "image", "scene", "accel", "gpu", "upload", "render", "lab", "shared"},
+    "chapter": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
+    "session": {"core", "image", "scene", "accel", "gpu", "upload", "render", "chapter", "shared"},
+    "app": {"core", "image", "scene", "accel", "gpu", "upload", "render", "chapter", "session", "shared"},
 }
+SHADE = {"shared", "math", "trace", "shade"}
+ESTIMATORS = {"path", "light_tracing", "chapter"}
 KERNEL_ARROWS = {
     "shared": set(),
-    "lib": {"shared"},
-    "path": {"shared", "lib"},
-    "whitted": {"shared", "lib"},
-    "light_tracing": {"shared", "lib"},
-    "film": {"shared", "lib"},
-    "wavefront": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
-    "megakernel": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
-    "raster": {"shared", "lib", "film"},
-    "inspect": {"shared", "lib", "path", "whitted", "film", "wavefront"},
-    "bench": {"shared", "lib", "path", "whitted", "light_tracing", "film"},
-    "probe": {"shared", "lib", "path", "whitted", "light_tracing", "film", "raster"},
+    "math": {"shared"},
+    "trace": {"shared", "math"},
+    "shade": {"shared", "math", "trace"},
+    "film": {"shared", "math"},
+    "path": SHADE,
+    "light_tracing": SHADE,
+    "chapter": SHADE | {"film"},
+    "wavefront": SHADE | ESTIMATORS | {"film"},
+    "megakernel": SHADE | ESTIMATORS | {"film"},
+    "inspect": SHADE | ESTIMATORS | {"film", "wavefront"},
+    "bench": SHADE,
+    "probe": SHADE | ESTIMATORS | {"film"},
 }
 
 # System headers that only some places may see: pattern, who may, why.
 DOORS = [
-    (re.compile(r"CL/"), re.compile(r"src/(gpu|upload|render)/"), "OpenCL is for gpu, upload, render"),
+    (re.compile(r"CL/"), re.compile(r"src/(gpu|upload|render|chapter)/"), "OpenCL is for gpu, upload, render, chapter"),
     (re.compile(r"OpenImageIO/"), re.compile(r"src/image/image_io\.cpp"), "only image_io.cpp opens it"),
     (re.compile(r"CLI/"), re.compile(r"src/core/command_line\.cpp"), "only command_line.cpp opens it"),
     (re.compile(r"embree"), re.compile(r"^$"), "Embree is an oracle for tests, not for the renderer"),

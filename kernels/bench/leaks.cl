@@ -1,6 +1,6 @@
 // Rays from inside a closed mesh at its shared edges and corners: how many get out. Aims are a
 // function of a ray's number alone.
-#include "lib/bvh.h"
+#include "trace/bvh.h"
 
 #define LEAK_RAYS 64 // of one work item
 

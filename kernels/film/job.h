@@ -3,7 +3,7 @@
 #ifndef ONDE_FILM_JOB_H
 #define ONDE_FILM_JOB_H
 
-#include "lib/lanes.h"
+#include "math/lanes.h"
 #include "shared/frame.h"
 
 // Path i of a wave works on pixel_order[first_pixel + i / samples], sample

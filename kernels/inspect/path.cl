@@ -3,8 +3,8 @@
 #include "film/film.h"
 #include "film/tally.h"
 #include "inspect/report.h"
-#include "lib/trace.h"
 #include "path/path.h"
+#include "trace/trace.h"
 
 // What the estimator decided with: the light that it chose and the lobes.
 INLINE void explain_bounce(SceneView view, Path path, Hits hit, Sampler sampler, uint bounce,

@@ -2,7 +2,7 @@
 #ifndef ONDE_INSPECT_REPORT_H
 #define ONDE_INSPECT_REPORT_H
 
-#include "lib/surface.h"
+#include "shade/surface.h"
 #include "shared/inspect.h"
 
 INLINE void report3(__global float* to, real3 from) {

@@ -2,8 +2,8 @@
 #ifndef ONDE_LIGHT_TRACING_CONNECTION_H
 #define ONDE_LIGHT_TRACING_CONNECTION_H
 
-#include "lib/camera_link.h"
-#include "lib/vertex.h"
+#include "shade/camera_link.h"
+#include "shade/vertex.h"
 
 typedef struct {
     real3 origin, direction;

@@ -1,9 +1,9 @@
 // Where light starts: a light by its probability, a point on it and a direction from there, with
-// all that over its density. The densities are those of lib/light.h, area and direction apart.
+// all that over its density. The densities are those of shade/light.h, area and direction apart.
 #ifndef ONDE_LIGHT_TRACING_EMISSION_H
 #define ONDE_LIGHT_TRACING_EMISSION_H
 
-#include "lib/light.h"
+#include "shade/light.h"
 #include "shared/light_tracing.h"
 
 typedef struct {
@@ -124,17 +124,12 @@ INLINE Emission emission_sample(SceneView view, __global const LightTracingRecor
     e.position = e.normal = e.direction = e.power = e.shown = zero3();
     e.surface = flat_light | sphere;
     e.infinite = lanes & (kind == LIGHT_ENVIRONMENT);
-    if_any(flat_light)
-    e = choose(flat_light, emit_from_flat(view, light, disk, e, pmf, u), e);
-    if_any(sphere)
-    e = choose(sphere, emit_from_sphere(view, light, e, pmf, u), e);
-    if_any(point)
-    e = choose(point, emit_from_point(view, light, e, pmf, u), e);
-    if_any(sun)
-    e = choose(sun, emit_from_direction(view, setup, light, e, pmf, u), e);
+    if_any (flat_light) e = choose(flat_light, emit_from_flat(view, light, disk, e, pmf, u), e);
+    if_any (sphere) e = choose(sphere, emit_from_sphere(view, light, e, pmf, u), e);
+    if_any (point) e = choose(point, emit_from_point(view, light, e, pmf, u), e);
+    if_any (sun) e = choose(sun, emit_from_direction(view, setup, light, e, pmf, u), e);
 #if ONDE_ENVIRONMENT
-    if_any(e.infinite)
-    e = choose(e.infinite, emit_from_environment(view, setup, e, pmf, u), e);
+    if_any (e.infinite) e = choose(e.infinite, emit_from_environment(view, setup, e, pmf, u), e);
 #endif
     return e;
 }

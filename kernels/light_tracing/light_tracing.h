@@ -72,8 +72,7 @@ INLINE Connection connect_light(SceneView view, Emission e, Sampler sampler) {
     const real2 pixel = sampler_pair(sampler, vertex_dimension(0, VERTEX_DIMENSION_PIXEL));
     const real2 lens = sampler_pair(sampler, vertex_dimension(0, VERTEX_DIMENSION_LENS));
     Connection c = no_connection();
-    if_any(e.surface)
-    {
+    if_any (e.surface) {
         const CameraLink link = camera_link(view.frame, e.position, lens);
         const real cosine = dot3(e.normal, link.direction);
         const real3 origin = offset_origin(e.position, e.normal, (real)(0.0f));
@@ -81,8 +80,9 @@ INLINE Connection connect_light(SceneView view, Emission e, Sampler sampler) {
                     e.surface & link.valid & (cosine > 0.0f));
     }
 #if ONDE_ENVIRONMENT
-    if_any(e.infinite)
-    { c = choose(e.infinite, connect_environment(view, e, lens, pixel), c); }
+    if_any (e.infinite) {
+        c = choose(e.infinite, connect_environment(view, e, lens, pixel), c);
+    }
 #endif
     return c;
 }

@@ -2,8 +2,8 @@
 // wavefront; `count` is the number of paths.
 #include "film/film.h"
 #include "film/tally.h"
-#include "lib/trace.h"
 #include "path/path.h"
+#include "trace/trace.h"
 
 // The radiance of the paths from `first`, lanes at `end` and beyond left out.
 INLINE real3 trace_paths(SceneView view, WaveJob job, __global uint* counters, uint first,

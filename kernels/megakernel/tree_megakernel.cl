@@ -1,9 +1,9 @@
 // The ray tree of a path depth first, with an explicit stack of one frame per level: the same
 // estimator and the same sums as the wavefront, in memory that does not grow with the tree.
 // `count` is the number of paths.
+#include "chapter/whitted/parameters.h"
 #include "film/film.h"
 #include "film/tally.h"
-#include "whitted/parameters.h"
 
 // The words of a frame.
 #define FRAME_ORIGIN 0
@@ -143,8 +143,7 @@ INLINE real3 trace_trees(SceneView view, WhittedView w, WaveJob job, __global ui
     natural level = (natural)(0u);
     mask alive = lanes, entering = lanes;
     while (mask_bits(alive)) {
-        if_any(entering)
-        enter_nodes(view, w, counters, stack, level, ray, sample, entering);
+        if_any (entering) enter_nodes(view, w, counters, stack, level, ray, sample, entering);
         const TreeRay own = load_node_ray(stack, level);
         const TreeVertex v = tree_vertex(view, w, own, load_node_hit(stack, level), alive);
         const natural next = as_natural(load_frame(stack->words[FRAME_NEXT_CHILD], level));
@@ -155,8 +154,7 @@ INLINE real3 trace_trees(SceneView view, WhittedView w, WaveJob job, __global ui
         store_frame(stack->words[FRAME_NEXT_CHILD], level, as_real(next + 1u), mask_bits(trying));
 
         const mask leaving = done & (level != 0u);
-        if_any(leaving)
-        leave_nodes(w, stack, level, arrival_factor(w, own, v), leaving);
+        if_any (leaving) leave_nodes(w, stack, level, arrival_factor(w, own, v), leaving);
         alive = alive & !(done & (level == 0u));
         entering = trying & child.exists;
         ray = child.ray;

@@ -4,9 +4,9 @@
 #ifndef ONDE_PATH_PATH_H
 #define ONDE_PATH_PATH_H
 
-#include "lib/camera.h"
-#include "lib/light.h"
-#include "lib/vertex.h"
+#include "shade/camera.h"
+#include "shade/light.h"
+#include "shade/vertex.h"
 
 // A ray in flight and what it has gathered.
 typedef struct {
@@ -103,8 +103,9 @@ OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sam
     const mask missed = lanes & !found;
     result.alive = found;
 #if ONDE_ENVIRONMENT
-    if_any(missed)
-    { result.emitted = choose(missed, path_background(view, path), result.emitted); }
+    if_any (missed) {
+        result.emitted = choose(missed, path_background(view, path), result.emitted);
+    }
 #endif
     if (!mask_bits(found)) return result;
 

@@ -1,8 +1,8 @@
 // Probes of lanes, mathematics, random numbers, sampling and Fresnel terms, which need no scene.
-#include "lib/fresnel.h"
-#include "lib/random.h"
-#include "lib/sampling.h"
+#include "math/random.h"
+#include "math/sampling.h"
 #include "probe/probe.h"
+#include "shade/fresnel.h"
 
 // In: value, condition, index into the values. Out: the group's bits; the condition from them;
 // whether any lane's holds; the value at the index.
@@ -10,8 +10,7 @@ PROBE(lanes) {
     const mask condition = input_mask(items, 1);
     const uint bits = mask_bits(condition);
     real ran = (real)(0.0f);
-    if_any(condition)
-    ran = (real)(1.0f);
+    if_any (condition) ran = (real)(1.0f);
     output(items, 0, (natural)(bits));
     output_mask(items, 1, mask_from_bits(bits));
     output(items, 2, ran);

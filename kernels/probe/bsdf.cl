@@ -1,6 +1,6 @@
 // Probes of the BSDF, from its numbers and local directions.
-#include "lib/bsdf.h"
 #include "probe/probe.h"
+#include "shade/bsdf.h"
 
 #define BSDF_WORDS 11
 

@@ -4,7 +4,7 @@
 #ifndef ONDE_PROBE_PROBE_H
 #define ONDE_PROBE_PROBE_H
 
-#include "lib/vector.h"
+#include "math/vector.h"
 
 #define PROBE_ITEMS 16 // of one work item, whatever the width
 

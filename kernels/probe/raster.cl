@@ -1,6 +1,6 @@
 // Probes of what the painter sorts by.
+#include "chapter/raster/sort_key.h"
 #include "probe/probe.h"
-#include "raster/sort_key.h"
 
 // In: a depth. Out: its key. For width 1.
 PROBE(far_to_near_key) {

@@ -1,8 +1,8 @@
 // Probes of what reads the scene: textures, environment, lights, camera.
-#include "lib/camera_link.h"
-#include "lib/light.h"
-#include "lib/trace.h"
 #include "probe/probe.h"
+#include "shade/camera_link.h"
+#include "shade/light.h"
+#include "trace/trace.h"
 
 // PROBE with the scene as `view`.
 #define SCENE_PROBE(name)                                                                          \

@@ -1,5 +1,5 @@
 // Probes of the chapter's linear systems, and of rays against triangles by each of them.
-#include "lib/solve_triangle.h"
+#include "chapter/solve_triangle.h"
 #include "probe/probe.h"
 
 // In: columns a, b, c (9), right (3). Out, for inverse, Gauss and Cramer: x (3), regular.

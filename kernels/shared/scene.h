@@ -34,7 +34,7 @@ typedef struct {
 #define SURFACE_FLAT 0x20000000u          // a triangle whose corner normals all are `geometric`
 #define SURFACE_MATERIAL_MASK 0x1fffffffu // the index in it
 
-// 64 bytes, one per primitive. Unit vectors are octahedral, 2 x 16 bits (see lib/octahedral.h).
+// 64 bytes, one per primitive. Unit vectors are octahedral, 2 x 16 bits (see math/elementary.h).
 // Triangle: corner normals, tangent, uvs and geometric normal in object space.
 // Sphere: `geometric` holds the centre, `uv[0]` the radius; the rest is unused.
 // Shape: `tangent` holds SHAPE_..., `uv[0]` the minor radius; the rest is unused.

@@ -3,7 +3,7 @@
 #include "film/resolve.h"
 #include "film/splat.h"
 #include "film/tally.h"
-#include "lib/trace.h"
+#include "trace/trace.h"
 #include "wavefront/light_state.h"
 
 // What the paths of a work item have to say about themselves.

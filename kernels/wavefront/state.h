@@ -5,8 +5,8 @@
 #ifndef ONDE_WAVEFRONT_STATE_H
 #define ONDE_WAVEFRONT_STATE_H
 
-#include "lib/trace_rows.h"
 #include "path/path.h"
+#include "trace/trace_rows.h"
 
 #define LANE_ORIGIN 0
 #define LANE_PDF 3

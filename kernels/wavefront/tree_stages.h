@@ -66,7 +66,7 @@ INLINE void tree_resolve(WhittedView w, NodeArena a, uint begin, uint end) {
             __global float* sum = node_lane(a, NODE_COLOR + k, parent);
             const float light =
                 *node_lane(a, NODE_FACTOR + k, i) * *node_lane(a, NODE_COLOR + k, i);
-            *sum = w.settings->saturate ? LOWER(*sum + light, 1.0f) : *sum + light;
+            *sum = w.settings->saturate ? min_fast(*sum + light, 1.0f) : *sum + light;
         }
     }
 }

@@ -6,9 +6,9 @@
 #ifndef ONDE_WAVEFRONT_TREE_STATE_H
 #define ONDE_WAVEFRONT_TREE_STATE_H
 
+#include "chapter/whitted/parameters.h"
 #include "film/film.h"
-#include "lib/trace_rows.h"
-#include "whitted/parameters.h"
+#include "trace/trace_rows.h"
 
 #define NODE_ORIGIN 0
 #define NODE_DIRECTION 3

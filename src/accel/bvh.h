@@ -62,7 +62,7 @@ enum class BvhLayout : uint32_t {
 
 struct BvhOptions {
     BvhBuilder builder = BvhBuilder::sah;
-    BvhLayout layout = BvhLayout::wide; ///< that the tree is shaped for; see narrow_bvh()
+    BvhLayout layout = BvhLayout::wide; ///< that the tree is shaped for; see compact_bvh()
     bool watertight = false;            ///< leaf blocks hold corners, not edges; see TriangleBlock
     uint32_t bins = 32;                 ///< of the surface-area heuristic, per axis
     float traversal_cost = 1.0f;        ///< of entering a wide node
@@ -116,14 +116,14 @@ Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> p
 /// the shape stays: hits are those of a new tree, but the further primitives have moved apart the
 /// longer they take, which statistics.sah_cost tells. The triangles of spatial splits get their
 /// whole boxes. `options` are those of the build. Throws InputError for other primitives, or a tree
-/// in a narrow layout (fit it before narrow_bvh).
+/// in a narrow layout (fit it before compact_bvh).
 void refit_bvh(Bvh& bvh, std::span<const Geometry> geometries,
                std::span<const Placement> placements, const BvhOptions& options = {});
 
 /// Moves a wide tree that is shaped for a narrow layout (children of a node, triangles of a leaf, a
 /// root that is a node) into that layout; a tree of layout `wide` stays as it is. Boxes only grow,
 /// and every walk finds the same hits. Throws InputError beyond 2^29 primitives.
-void narrow_bvh(Bvh& bvh, BvhLayout layout);
+void compact_bvh(Bvh& bvh, BvhLayout layout);
 
 /// Checks every invariant of the wide layout (bounds contain children, each primitive present, once
 /// or in parts that cover it, indices in range, stack_size sufficient, ids ascending in blocks); an

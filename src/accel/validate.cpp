@@ -23,7 +23,7 @@ struct Roll {
 };
 
 /// What is known of a subtree that was walked.
-struct Walked {
+struct Traversed {
     Box box;            ///< of all its primitives, exact where it has no instances
     uint32_t stack = 0; ///< entries that may wait below it
 };
@@ -39,8 +39,8 @@ class Validator {
         if (bvh_.instances.size() != placements_.size())
             return fmt::format("{} instances for {} placements", bvh_.instances.size(),
                                placements_.size());
-        walk_instanced_trees();
-        const Walked world = walk_tree(bvh_.root, world_roll());
+        traverse_instanced_trees();
+        const Traversed world = traverse_tree(bvh_.root, world_roll());
         if (problem_.empty()) check_hanging();
         if (problem_.empty() && world.stack + 1 > bvh_.stack_size)
             fail("stack_size {} is below {}", bvh_.stack_size, world.stack + 1);
@@ -70,16 +70,16 @@ class Validator {
         return make_roll(std::move(direct));
     }
 
-    void walk_instanced_trees() {
+    void traverse_instanced_trees() {
         for (uint32_t i = 0; i < placements_.size(); ++i) {
             const uint32_t geometry = placements_[i].geometry;
             if (!is_instanced(i) || trees_.contains(geometry)) continue;
-            trees_[geometry] = walk_tree(bvh_.instances[i].root, make_roll({geometry}));
+            trees_[geometry] = traverse_tree(bvh_.instances[i].root, make_roll({geometry}));
         }
     }
 
-    Walked walk_tree(uint32_t root, Roll roll) {
-        const Walked walked = walk(root, roll);
+    Traversed traverse_tree(uint32_t root, Roll roll) {
+        const Traversed walked = walk(root, roll);
         for (size_t g = 0; g < roll.seen.size(); ++g)
             for (size_t i = 0; i < roll.seen[g].size(); ++i) check_seen(roll, g, uint32_t(i));
         return walked;
@@ -118,37 +118,37 @@ class Validator {
             }
     }
 
-    Walked walk(uint32_t word, Roll& roll, const Box& bounds = everywhere()) {
+    Traversed walk(uint32_t word, Roll& roll, const Box& bounds = everywhere()) {
         if (!problem_.empty()) return {};
         const uint32_t index = word & BVH_INDEX_MASK;
-        if (!(word & BVH_LEAF)) return walk_node(word, roll);
+        if (!(word & BVH_LEAF)) return traverse_node(word, roll);
         switch (word & BVH_KIND_MASK) {
         case BVH_LEAF_TRIANGLES:
-            return walk_block(index, roll, bounds);
+            return traverse_block(index, roll, bounds);
         case BVH_LEAF_SPHERE:
-            return walk_sphere(index, roll);
+            return traverse_sphere(index, roll);
         case BVH_LEAF_SHAPE:
-            return walk_shape(index, roll);
+            return traverse_shape(index, roll);
         case BVH_LEAF_INSTANCE:
-            return walk_instance(index);
+            return traverse_instance(index);
         }
         fail("child word {:#x} has no kind", word);
         return {};
     }
 
-    Walked walk_node(uint32_t index, Roll& roll) {
+    Traversed traverse_node(uint32_t index, Roll& roll) {
         if (index >= bvh_.nodes.size() || visited_[index]) {
             fail("node {} is out of range or has two parents", index);
             return {};
         }
         visited_[index] = true;
         const BvhNode& node = bvh_.nodes[index];
-        Walked result;
+        Traversed result;
         uint32_t children = 0;
         for (uint32_t slot = 0; slot < BVH_WIDTH; ++slot) {
             const Box bounds = slot_box(node, slot);
             if (bounds.is_empty()) continue;
-            const Walked child = walk(node.child[slot], roll, bounds);
+            const Traversed child = walk(node.child[slot], roll, bounds);
             if (!child.box.is_empty() && !bounds.contains(child.box))
                 fail("slot {} of node {} does not contain its child", slot, index);
             result.box.extend(bounds);
@@ -176,13 +176,13 @@ class Validator {
         return {splat(-INFINITE), splat(INFINITE)};
     }
 
-    Walked walk_block(uint32_t index, Roll& roll, const Box& bounds) {
+    Traversed traverse_block(uint32_t index, Roll& roll, const Box& bounds) {
         if (index >= bvh_.blocks.size()) {
             fail("block {} is out of range", index);
             return {};
         }
         const TriangleBlock& block = bvh_.blocks[index];
-        Walked result;
+        Traversed result;
         for (uint32_t lane = 0; lane < BVH_LEAF_WIDTH; ++lane) {
             const uint32_t id = block.primitive[lane];
             if (lane > 0 && id <= block.primitive[lane - 1] && id != BVH_NONE)
@@ -225,7 +225,7 @@ class Validator {
         return triangle_box(geometry, index);
     }
 
-    Walked walk_sphere(uint32_t index, Roll& roll) {
+    Traversed traverse_sphere(uint32_t index, Roll& roll) {
         if (index >= bvh_.spheres.size()) {
             fail("sphere {} is out of range", index);
             return {};
@@ -250,7 +250,7 @@ class Validator {
         return {sphere_box(input), 0};
     }
 
-    Walked walk_shape(uint32_t index, Roll& roll) {
+    Traversed traverse_shape(uint32_t index, Roll& roll) {
         if (index >= bvh_.spheres.size()) {
             fail("shape {} is out of range", index);
             return {};
@@ -270,13 +270,13 @@ class Validator {
         return {shape_box(input), 0};
     }
 
-    Walked walk_instance(uint32_t index) {
+    Traversed traverse_instance(uint32_t index) {
         if (index >= placements_.size() || !is_instanced(index) || hung_[index]) {
             fail("instance {} is out of range, has no tree, or hangs twice", index);
             return {};
         }
         hung_[index] = true;
-        const Walked& tree = trees_.at(placements_[index].geometry);
+        const Traversed& tree = trees_.at(placements_[index].geometry);
         check_inverse(index);
         return {world_box(tree.box, placements_[index].object_to_world), tree.stack + 1};
     }
@@ -325,7 +325,7 @@ class Validator {
     std::span<const Geometry> geometries_;
     std::span<const Placement> placements_;
     std::vector<bool> visited_, hung_;
-    std::map<uint32_t, Walked> trees_; ///< of instanced geometries
+    std::map<uint32_t, Traversed> trees_; ///< of instanced geometries
     std::string problem_;
 };
 

@@ -1,5 +1,5 @@
 // Bounding volumes fitted around points (the chapter's C12). Each contains every point exactly, as
-// floats are rounded outward; the device's ray tests are in kernels/lib/volumes.h.
+// floats are rounded outward; the device's ray tests are in kernels/chapter/volumes.h.
 #pragma once
 
 #include "shared/volumes.h"

@@ -42,7 +42,7 @@ std::vector<fs::path> scene_files(const std::vector<fs::path>& given) {
 void check_names(const std::vector<GalleryWork>& works) {
     for (size_t i = 0; i < works.size(); ++i)
         for (size_t k = 0; k < i; ++k)
-            if (works[i].exhibit.name == works[k].exhibit.name)
+            if (works[i].entry.name == works[k].entry.name)
                 throw InputError("{} and {} would have the same picture; rename one",
                                  works[k].file.string(), works[i].file.string());
 }
@@ -63,9 +63,9 @@ void open_folder(const fs::path& folder) {
 
 void write_page(const fs::path& page, const std::vector<GalleryWork>& works,
                 const std::string& device) {
-    std::vector<Exhibit> exhibits;
-    for (const GalleryWork& work : works) exhibits.push_back(work.exhibit);
-    write_text(page, gallery_page(exhibits, device));
+    std::vector<GalleryEntry> entries;
+    for (const GalleryWork& work : works) entries.push_back(work.entry);
+    write_text(page, gallery_page(entries, device));
     spdlog::info("wrote {}", fs::absolute(page).string());
 }
 
@@ -89,7 +89,7 @@ bool run(const GalleryRequest& request) {
     size_t done = 0;
     for (; done < works.size(); ++done) {
         GalleryWork& work = works[done];
-        spdlog::info("{} of {}: {}", done + 1, works.size(), work.exhibit.name);
+        spdlog::info("{} of {}: {}", done + 1, works.size(), work.entry.name);
         if (!paint(work, studio, request.folder)) break;
     }
     const bool interrupted = done < works.size();

@@ -50,61 +50,61 @@ std::string check_row(const LessonCheck& check) {
                        formula_markup(check.because));
 }
 
-std::string check_table(const Exhibit& exhibit) {
-    if (exhibit.checks.empty()) return "";
+std::string check_table(const GalleryEntry& entry) {
+    if (entry.checks.empty()) return "";
     std::string html = "<table><tr><th>where</th><th>expected</th><th>measured</th></tr>\n";
-    for (const LessonCheck& check : exhibit.checks) html += check_row(check);
+    for (const LessonCheck& check : entry.checks) html += check_row(check);
     return html + "</table>\n";
 }
 
-std::string left_column(const Exhibit& exhibit) {
+std::string left_column(const GalleryEntry& entry) {
     std::string html = fmt::format("<div><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>\n"
                                    "<p class=\"facts\">{2}<br><code>{3}</code></p>\n",
-                                   escaped(exhibit.picture), escaped(exhibit.lesson.title),
-                                   escaped(exhibit.facts), escaped(exhibit.command));
-    for (const std::string& finding : exhibit.findings)
+                                   escaped(entry.picture), escaped(entry.lesson.title),
+                                   escaped(entry.facts), escaped(entry.command));
+    for (const std::string& finding : entry.findings)
         html += fmt::format("<p class=\"facts\">{}</p>\n", escaped(finding));
     return html + "</div>\n";
 }
 
-std::string right_column(const Exhibit& exhibit) {
-    std::string html = fmt::format("<div><h2>{}</h2>\n", heading(exhibit.lesson));
-    for (const std::string& formula : exhibit.lesson.formulas)
+std::string right_column(const GalleryEntry& entry) {
+    std::string html = fmt::format("<div><h2>{}</h2>\n", heading(entry.lesson));
+    for (const std::string& formula : entry.lesson.formulas)
         html += fmt::format("<p class=\"formula\">{}</p>\n", formula_markup(formula));
-    html += fmt::format("<p>{}</p>\n", escaped(exhibit.lesson.says)) + check_table(exhibit);
-    if (!exhibit.replay.empty())
+    html += fmt::format("<p>{}</p>\n", escaped(entry.lesson.says)) + check_table(entry);
+    if (!entry.replay.empty())
         html += fmt::format("<details><summary>what became of one ray, in words</summary>"
                             "<pre>{}</pre></details>\n",
-                            escaped(exhibit.replay));
+                            escaped(entry.replay));
     return html + "</div>\n";
 }
 
-std::string summary(const std::vector<Exhibit>& exhibits, const std::string& device) {
+std::string summary(const std::vector<GalleryEntry>& entries, const std::string& device) {
     size_t checks = 0, held = 0;
-    for (const Exhibit& exhibit : exhibits) {
-        checks += exhibit.checks.size();
-        held += size_t(std::ranges::count_if(exhibit.checks, &LessonCheck::holds));
+    for (const GalleryEntry& entry : entries) {
+        checks += entry.checks.size();
+        held += size_t(std::ranges::count_if(entry.checks, &LessonCheck::holds));
     }
     return fmt::format("<p>{} pictures, rendered by Onde {} on {}. {} of {} numbers that the "
                        "scenes state were measured in them.</p>\n",
-                       exhibits.size(), ONDE_VERSION, escaped(device), held, checks);
+                       entries.size(), ONDE_VERSION, escaped(device), held, checks);
 }
 
 } // namespace
 
-std::string gallery_page(std::vector<Exhibit> exhibits, const std::string& device) {
+std::string gallery_page(std::vector<GalleryEntry> entries, const std::string& device) {
     std::ranges::stable_sort(
-        exhibits, {}, [](const Exhibit& exhibit) { return section_order(exhibit.lesson.section); });
+        entries, {}, [](const GalleryEntry& entry) { return section_order(entry.lesson.section); });
     std::string html =
         fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">{}\n"
                     "<meta name=\"viewport\" content=\"width=device-width\">\n"
                     "<title>Ray tracing, by its pictures</title><style>{}</style></head>\n<body>\n"
                     "<header><h1>Ray tracing, by its pictures</h1>\n{}</header>\n<nav>\n",
-                    GALLERY_MARK, STYLE, summary(exhibits, device));
-    for (const Exhibit& e : exhibits)
+                    GALLERY_MARK, STYLE, summary(entries, device));
+    for (const GalleryEntry& e : entries)
         html += fmt::format("<a href=\"#{}\">{}</a>\n", escaped(e.name), heading(e.lesson));
     html += "</nav>\n";
-    for (const Exhibit& e : exhibits)
+    for (const GalleryEntry& e : entries)
         html += fmt::format("<article id=\"{}\">\n{}{}</article>\n", escaped(e.name),
                             left_column(e), right_column(e));
     return html + "</body></html>\n";

@@ -1,7 +1,7 @@
 // The gallery as a page: pictures beside their formulas and what was measured in them.
 #pragma once
 
-#include "render/lesson_check.h"
+#include "chapter/lesson_check.h"
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace onde::app {
 
 /// A scene that was rendered, and all that the page says of it.
-struct Exhibit {
+struct GalleryEntry {
     std::string name; ///< the scene's file name without extension
     Lesson lesson;
     std::string picture;               ///< file name, beside the page
@@ -24,6 +24,6 @@ struct Exhibit {
 inline constexpr const char* GALLERY_MARK = "<meta name=\"generator\" content=\"Onde gallery\">";
 
 /// One self-contained HTML page, in the order of the chapter's sections.
-std::string gallery_page(std::vector<Exhibit> exhibits, const std::string& device);
+std::string gallery_page(std::vector<GalleryEntry> entries, const std::string& device);
 
 } // namespace onde::app

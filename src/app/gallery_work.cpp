@@ -9,6 +9,7 @@
 #include "render/memory_plan.h"
 #include "scene/load.h"
 #include "scene/mapping.h"
+#include "session/integrators.h"
 #include "upload/device_scene.h"
 
 namespace onde::app {
@@ -53,17 +54,17 @@ GalleryWork load_work(const fs::path& file, std::optional<uint32_t> samples,
     request.samples = samples;
     work.options = resolve_options(request, work.scene, facts);
     check_memory(plan_memory(work.options), facts);
-    Exhibit& exhibit = work.exhibit;
-    exhibit.name = file.stem().string();
-    exhibit.picture = exhibit.name + ".png";
-    exhibit.command = fmt::format("./run render {}", shown_path(file).string());
-    exhibit.findings = work.scene.notes;
+    GalleryEntry& entry = work.entry;
+    entry.name = file.stem().string();
+    entry.picture = entry.name + ".png";
+    entry.command = fmt::format("./run render {}", shown_path(file).string());
+    entry.findings = work.scene.notes;
     for (const std::string& note : mapping_notes(work.scene, work.options.integrator))
-        exhibit.findings.push_back(note);
-    exhibit.lesson = work.scene.lesson.value_or(Lesson{});
-    if (exhibit.lesson.title.empty()) exhibit.lesson.title = exhibit.name;
+        entry.findings.push_back(note);
+    entry.lesson = work.scene.lesson.value_or(Lesson{});
+    if (entry.lesson.title.empty()) entry.lesson.title = entry.name;
     try {
-        check_places(exhibit.lesson, work.options.width, work.options.height);
+        check_places(entry.lesson, work.options.width, work.options.height);
     } catch (const InputError& error) {
         throw InputError("{}: {}", file.string(), error.what());
     }
@@ -71,7 +72,7 @@ GalleryWork load_work(const fs::path& file, std::optional<uint32_t> samples,
 }
 
 bool paint(GalleryWork& work, const GalleryStudio& studio, const fs::path& folder) {
-    const BvhOptions tree = resolve_tree({}, studio.device, studio.sources);
+    const BvhOptions tree = resolve_bvh({}, studio.device, studio.sources);
     const DeviceScene placed(studio.device, pack_scene(work.scene, tree));
     const IntegratorContext context{studio.device, studio.sources,
                                     studio.cache,  &work.scene,
@@ -85,11 +86,11 @@ bool paint(GalleryWork& work, const GalleryStudio& studio, const fs::path& folde
     if (outcome.interrupted) return false;
     work.picture = integrator->film().develop(studio.device);
     for (const std::string& finding : integrator->findings())
-        work.exhibit.findings.push_back(finding);
-    work.exhibit.facts = facts_text(work.options, outcome);
-    if (work.exhibit.lesson.inspect && can_replay(work.options))
-        work.exhibit.replay = replay(context, *work.exhibit.lesson.inspect);
-    write_png(folder / work.exhibit.picture, work.picture,
+        work.entry.findings.push_back(finding);
+    work.entry.facts = facts_text(work.options, outcome);
+    if (work.entry.lesson.inspect && can_replay(work.options))
+        work.entry.replay = replay(context, *work.entry.lesson.inspect);
+    write_png(folder / work.entry.picture, work.picture,
               {work.scene.settings.exposure.value_or(0.0f), ToneMap::none},
               {{"onde:scene_hash", scene_hash(work.scene)}, {"Software", "Onde " ONDE_VERSION}});
     return true;
@@ -103,11 +104,11 @@ size_t measure(std::vector<GalleryWork>& works) {
     };
     size_t missed = 0;
     for (GalleryWork& work : works) {
-        work.exhibit.checks = check_lesson(work.exhibit.lesson, work.picture, other);
-        for (const LessonCheck& check : work.exhibit.checks) {
+        work.entry.checks = check_lesson(work.entry.lesson, work.picture, other);
+        for (const LessonCheck& check : work.entry.checks) {
             if (check.holds) continue;
             ++missed;
-            spdlog::warn("{}: {}: expected {}, measured {}", work.exhibit.name, check.where,
+            spdlog::warn("{}: {}: expected {}, measured {}", work.entry.name, check.where,
                          check.expected, check.measured);
         }
     }

@@ -15,8 +15,8 @@ struct GalleryWork {
     std::filesystem::path file;
     Scene scene;
     RenderOptions options;
-    Image picture;   ///< linear; empty until it is painted
-    Exhibit exhibit; ///< without picture facts and checks until there are some
+    Image picture;      ///< linear; empty until it is painted
+    GalleryEntry entry; ///< without picture facts and checks until there are some
 };
 
 /// What all works of a gallery are made with; the referenced objects outlive it.

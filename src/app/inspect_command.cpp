@@ -39,7 +39,7 @@ void run(const InspectRequest& request) {
     const gpu::Device device = gpu::open_device(request.render.machine.device);
     const Scene scene = load_requested_scene(request.render);
     const RenderOptions options = resolve_options(request.render, scene, device.facts());
-    const BvhOptions tree = resolve_tree(request.render, device, sources);
+    const BvhOptions tree = resolve_bvh(request.render, device, sources);
     const DeviceScene placed(device, pack_scene(scene, tree));
     const gpu::ProgramCache cache;
     const IntegratorContext context{

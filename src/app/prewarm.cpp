@@ -56,7 +56,7 @@ class Prewarmer {
     }
 
     PackedScene pack(const Scene& scene) const {
-        return pack_scene(scene, resolve_tree({}, device_, sources_));
+        return pack_scene(scene, resolve_bvh({}, device_, sources_));
     }
 
     void compile(const std::string& name, const Scene& scene, PackedScene packed) const {

@@ -8,9 +8,10 @@
 #include "core/log.h"
 #include "core/timer.h"
 #include "render/memory_plan.h"
-#include "render/test_map.h"
+#include "render/traversal_cost.h"
 #include "scene/load.h"
 #include "scene/mapping.h"
+#include "session/integrators.h"
 #include "upload/device_scene.h"
 
 #include <memory>
@@ -50,11 +51,11 @@ void write_pictures(const std::vector<std::filesystem::path>& outputs, const Ima
 
 void write_test_maps(const std::vector<std::filesystem::path>& outputs,
                      const IntegratorContext& context, const ImageMetadata& metadata) {
-    const TestMap map = count_pixel_tests(context);
+    const TraversalCost map = measure_traversal_cost(context);
     for (const auto& output : outputs) {
         const std::filesystem::path path = aov_path(output, "tests");
         if (path.extension() == ".exr")
-            write_exr(path, test_numbers(map), metadata, ExrDepth::full_float);
+            write_exr(path, cost_numbers(map), metadata, ExrDepth::full_float);
         else
             write_png(path, heat_picture(map), {}, metadata);
         spdlog::info("wrote {}", std::filesystem::absolute(path).string());
@@ -104,7 +105,7 @@ bool run(const RenderRequest& request) {
     check_memory(plan, device.facts());
 
     const Timer packing;
-    PackedScene packed = pack_scene(scene, resolve_tree(request, device, sources));
+    PackedScene packed = pack_scene(scene, resolve_bvh(request, device, sources));
     plan.scene = packed.device_buffers();
     check_memory(plan, device.facts());
     const DeviceScene device_scene(device, std::move(packed));
@@ -144,7 +145,7 @@ bool run(const RenderRequest& request) {
     const Timer writing;
     write_pictures(outputs, integrator->film().develop(device), request, scene,
                    describe_picture(report));
-    if (request.tests_aov) write_test_maps(outputs, context, describe_picture(report));
+    if (request.cost_aov) write_test_maps(outputs, context, describe_picture(report));
     report.write_seconds = writing.seconds();
     report.total_seconds = total.seconds();
     if (profiled) report.kernel_times = profiler.totals();

@@ -89,7 +89,7 @@ void declare_picture(Command& command, RenderRequest& r) {
     command.option("--exposure", &r.exposure, "Brighten the .png by that many stops",
                    {.value = "STOPS"});
     command.choice("--tone-map", r.tone_map, TONE_MAPS, "How the .png rolls off highlights (none)");
-    command.choice("--aov", r.tests_aov, AOVS,
+    command.choice("--aov", r.cost_aov, AOVS,
                    "Also write OUTPUT.tests: boxes and primitives that each pixel's camera ray "
                    "tests,\nas numbers in .exr, as colours in .png");
     command.flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
@@ -120,7 +120,7 @@ void declare_engine(Command& command, RenderRequest& r) {
                    "suits the device)");
     command.choice("--queue", r.queue, QUEUES, "Where live rays are kept");
     command.choice("--packets", r.packets, SWITCH, "Primary rays in packets of 16");
-    command.choice("--turns", r.turns, SWITCH,
+    command.choice("--interleave", r.turns, SWITCH,
                    "Rays of late bounces in turns (where the tree is larger than the cache)");
     command.option("--lanes", &r.width, "Paths shaded at once by a work item: 1, 8 or 16",
                    {.value = "N"});
@@ -156,7 +156,7 @@ void resolve_settings(const RenderRequest& request, gpu::DeviceSettings& setting
     if (settings.queue == gpu::QueueKind::global) settings.launch = gpu::Launch::staged;
     settings.launch = request.launch.value_or(settings.launch);
     settings.primary_packets = request.packets.value_or(settings.primary_packets);
-    if (request.turns) settings.turns_above = *request.turns ? 0 : UINT64_MAX;
+    if (request.turns) settings.interleave_above = *request.turns ? 0 : UINT64_MAX;
     settings.chunk = request.chunk.value_or(std::max(settings.chunk, settings.width));
     settings.wave_size = request.wave_size.value_or(settings.wave_size);
     if (settings.chunk == 0) return;
@@ -236,8 +236,8 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
     return options;
 }
 
-BvhOptions resolve_tree(const RenderRequest& request, const gpu::Device& device,
-                        const gpu::KernelSources& sources) {
+BvhOptions resolve_bvh(const RenderRequest& request, const gpu::Device& device,
+                       const gpu::KernelSources& sources) {
     BvhOptions options = request.bvh;
     options.layout = request.layout ? *request.layout : suitable_layout(device, sources);
     return options;
@@ -261,7 +261,7 @@ std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request)
             throw InputError("{}: pictures are written as .png or .exr; change the extension",
                              path.string());
         check_writable(path);
-        if (request.tests_aov) check_writable(aov_path(path, "tests"));
+        if (request.cost_aov) check_writable(aov_path(path, "tests"));
     }
     if (!request.json.empty()) check_writable(request.json);
     return outputs;

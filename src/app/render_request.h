@@ -25,7 +25,7 @@ struct MachineRequest {
 struct RenderRequest {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs;
-    bool tests_aov = false;
+    bool cost_aov = false;
     std::string size;
     std::optional<uint32_t> samples, depth, seed, wave_size, chunk, width, tree_slots;
     std::optional<double> seconds;
@@ -66,8 +66,8 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
                               const gpu::DeviceFacts& facts);
 
 /// How the tree is built and laid out for the device, on which layouts may be measured first.
-BvhOptions resolve_tree(const RenderRequest& request, const gpu::Device& device,
-                        const gpu::KernelSources& sources);
+BvhOptions resolve_bvh(const RenderRequest& request, const gpu::Device& device,
+                       const gpu::KernelSources& sources);
 
 /// The word of `--integrator`.
 const std::string& integrator_name(IntegratorKind kind);

@@ -1,7 +1,7 @@
 // The laboratory's tables and plot.
 #pragma once
 
-#include "lab/laboratory.h"
+#include "chapter/laboratory.h"
 
 #include <string>
 

@@ -21,7 +21,7 @@ class KernelSources {
     /// The folder's, or the embedded ones where no folder is named.
     static KernelSources from(const std::filesystem::path& root);
 
-    /// The text of a file named relative to kernels/, for example "lib/lanes.h".
+    /// The text of a file named relative to kernels/, for example "math/lanes.h".
     /// Throws DeviceError naming the file when there is none.
     std::string read(const std::string& file) const;
 

@@ -13,7 +13,7 @@ DeviceSettings default_settings(const DeviceFacts& facts) {
             .queue = QueueKind::chunk_local,
             .launch = Launch::fused,
             .primary_packets = true,
-            .turns_above = facts.cache};
+            .interleave_above = facts.cache};
 }
 
 std::string describe(const DeviceSettings& settings) {

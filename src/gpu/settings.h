@@ -27,7 +27,7 @@ struct DeviceSettings {
     Launch launch = Launch::staged;
     bool primary_packets = false; ///< trace primary rays in packets of 16
     /// Rays of late bounces take turns in a tree of more bytes, which waits for memory otherwise.
-    uint64_t turns_above = UINT64_MAX;
+    uint64_t interleave_above = UINT64_MAX;
 };
 
 /// The settings that measured best for devices of this kind (CPUs), or that follow from their

@@ -60,7 +60,7 @@ gpu::Program build_engine(const EngineContext& context, const std::string& file,
     request.defines.push_back(
         fmt::format("ONDE_PRIMARY_PACKETS={:d}", settings.primary_packets && can_fill));
     request.defines.push_back(
-        fmt::format("ONDE_TURNS={:d}", context.scene.tree_bytes() > settings.turns_above));
+        fmt::format("ONDE_INTERLEAVE={:d}", context.scene.bvh_bytes() > settings.interleave_above));
     request.defines.insert(request.defines.end(), more_defines.begin(), more_defines.end());
     const RenderOptions& options = context.options;
     const uint64_t frame = uint64_t(options.width) * options.height * options.samples_in_flight;

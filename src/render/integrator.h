@@ -48,9 +48,6 @@ struct IntegratorContext {
 /// Ray statistics from a table of counters by [row * COUNTER_BOUNCES + bounce].
 RayCounts ray_counts_of(const std::vector<uint64_t>& counters);
 
-/// The integrator that the options name.
-std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context);
-
 /// The path tracer. The scene and device outlive it.
 std::unique_ptr<Integrator>
 make_path_integrator(const gpu::Device& device, const gpu::KernelSources& sources,

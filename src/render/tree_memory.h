@@ -15,7 +15,7 @@ class TreeMemory {
     TreeMemory(const gpu::Device& device, const RenderOptions& options, const PackedWhitted& scene);
 
     static constexpr uint32_t PARAMETERS = 9;
-    /// Binds TREE_PARAMETERS of kernels/whitted/parameters.h from `first` on.
+    /// Binds TREE_PARAMETERS of kernels/chapter/whitted/parameters.h from `first` on.
     void bind(gpu::Kernel& kernel, uint32_t first, uint32_t level) const;
     /// Marks all paths of a wave as not done.
     void begin(gpu::Program& program, uint32_t paths) const;

@@ -50,10 +50,10 @@ glm::dmat4 local_transform(const File& file, const tinygltf::Node& node, const s
     return m;
 }
 
-/// Walks the tree without recursion, so that a chain of a million nodes is only refused.
-class NodeWalk {
+/// Traversals the tree without recursion, so that a chain of a million nodes is only refused.
+class NodeTraversal {
   public:
-    NodeWalk(File& file, Scene& scene)
+    NodeTraversal(File& file, Scene& scene)
         : file_(file), scene_(scene), visited_(file.model.nodes.size(), false) {}
 
     void walk(const std::vector<int>& roots) {
@@ -86,7 +86,7 @@ class NodeWalk {
     std::vector<Visit> stack_;
 };
 
-void NodeWalk::enter(const Visit& visit) {
+void NodeTraversal::enter(const Visit& visit) {
     const tinygltf::Node& node = file_.model.nodes[size_t(visit.node)];
     const std::string user = fmt::format("node {}", visit.node);
     if (visited_[size_t(visit.node)])
@@ -116,7 +116,7 @@ bool is_flat(const glm::mat4& m) {
                                                        [](float x) { return std::isfinite(x); });
 }
 
-void NodeWalk::add_instance(int mesh, const glm::mat4& to_world, const std::string& user) {
+void NodeTraversal::add_instance(int mesh, const glm::mat4& to_world, const std::string& user) {
     at(file_, file_.model.meshes, mesh, "mesh", user);
     if (is_flat(to_world)) {
         file_.notes.add("Objects scaled to nothing are skipped", user);
@@ -125,7 +125,7 @@ void NodeWalk::add_instance(int mesh, const glm::mat4& to_world, const std::stri
     }
 }
 
-void NodeWalk::add_camera(int index, const glm::mat4& to_world, const std::string& user) {
+void NodeTraversal::add_camera(int index, const glm::mat4& to_world, const std::string& user) {
     const tinygltf::Camera& source = at(file_, file_.model.cameras, index, "camera", user);
     if (source.type != "perspective" || is_flat(to_world)) {
         file_.notes.add("Orthographic and degenerate cameras are skipped", user);
@@ -143,8 +143,8 @@ void NodeWalk::add_camera(int index, const glm::mat4& to_world, const std::strin
 }
 
 /// Candela and lux are taken as W/sr and W/m^2: only ratios show in a picture.
-void NodeWalk::add_light(const tinygltf::Node& node, const glm::mat4& to_world,
-                         const std::string& user) {
+void NodeTraversal::add_light(const tinygltf::Node& node, const glm::mat4& to_world,
+                              const std::string& user) {
     const double index = number_in(node.extensions.at("KHR_lights_punctual"), "light", -1.0);
     const int light = index >= 0.0 && index < 1e9 ? int(index) : -1;
     const tinygltf::Light& source = at(file_, file_.model.lights, light, "light", user);
@@ -176,7 +176,7 @@ std::vector<int> roots_of(const File& file) {
 } // namespace
 
 void add_nodes(File& file, Scene& scene) {
-    NodeWalk nodes(file, scene);
+    NodeTraversal nodes(file, scene);
     if (file.model.scenes.empty()) return nodes.walk(roots_of(file));
     const int index = file.model.defaultScene >= 0 ? file.model.defaultScene : 0;
     nodes.walk(at(file, file.model.scenes, index, "scene", "the default scene").nodes);

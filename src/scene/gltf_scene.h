@@ -12,7 +12,7 @@ void add_materials(File& file, Scene& scene);
 /// Appends one Mesh for each of the file's; may be without triangles.
 void add_meshes(File& file, Scene& scene);
 
-/// Walks the default scene: instances, cameras and lights.
+/// Traversals the default scene: instances, cameras and lights.
 void add_nodes(File& file, Scene& scene);
 
 } // namespace onde::gltf

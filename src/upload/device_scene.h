@@ -3,7 +3,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
-#include "upload/device_tree.h"
+#include "upload/device_bvh.h"
 #include "upload/pack.h"
 
 namespace onde {
@@ -14,15 +14,15 @@ class DeviceScene {
     DeviceScene(const gpu::Device& device, PackedScene packed);
 
     const PackedScene& packed() const { return packed_; }
-    uint64_t tree_bytes() const { return tree_.bytes(); }
+    uint64_t bvh_bytes() const { return tree_.bytes(); }
 
-    /// Binds the scene's parameters of a kernel (SCENE_PARAMETERS of kernels/lib/scene_view.h but
+    /// Binds the scene's parameters of a kernel (SCENE_PARAMETERS of kernels/shade/scene_view.h but
     /// for the first, the frame) from argument `first` on; returns the next index.
     uint32_t bind(gpu::Kernel& kernel, uint32_t first) const;
 
   private:
     PackedScene packed_;
-    DeviceTree tree_;
+    DeviceBvh tree_;
     gpu::Buffer<SurfaceRecord> surfaces_;
     gpu::Buffer<MaterialRecord> materials_;
     gpu::Buffer<LightRecord> lights_;

@@ -42,12 +42,12 @@ struct Field {
 
 /// Half from an eye above the field in rows of a picture, half from points just above it in any
 /// direction.
-std::vector<WalkRay> field_rays() {
+std::vector<QueryRay> field_rays() {
     constexpr uint32_t SIDE = 512;
     const glm::vec3 eye(1.6f, 1.2f, 1.6f), forward = glm::normalize(-eye);
     const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(0, 1, 0)));
     const glm::vec3 up = glm::cross(right, forward);
-    std::vector<WalkRay> rays;
+    std::vector<QueryRay> rays;
     for (uint32_t i = 0; i < SIDE * SIDE; ++i) {
         const float x = (float(i % SIDE) + 0.5f) / SIDE - 0.5f;
         const float y = 0.5f - (float(i / SIDE) + 0.5f) / SIDE;
@@ -67,7 +67,7 @@ std::vector<WalkRay> field_rays() {
     return rays;
 }
 
-double seconds_of(TreeWalker& walker, const WalkRays& rays) {
+double seconds_of(RayQuery& walker, const QueryRays& rays) {
     double seconds[3];
     for (double& run : seconds) {
         const Timer timer;
@@ -86,11 +86,11 @@ std::vector<LayoutRate> measure_layouts(const gpu::Device& device,
                                         const gpu::ProgramCache* cache) {
     const Field field;
     const Geometry geometry{field.positions, field.triangles, {}, 0};
-    const std::vector<WalkRay> set = field_rays();
-    const WalkRays rays(device, set);
+    const std::vector<QueryRay> set = field_rays();
+    const QueryRays rays(device, set);
     std::vector<LayoutRate> rates;
     for (const BvhLayout layout : LAYOUTS) {
-        TreeWalker walker(device, sources, cache, geometry, {.layout = layout});
+        RayQuery walker(device, sources, cache, geometry, {.layout = layout});
         walker.closest(rays); // for pages and caches to fill
         rates.push_back({layout, 2e-6 * double(set.size()) / seconds_of(walker, rays)});
     }

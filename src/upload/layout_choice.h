@@ -1,7 +1,7 @@
 // Which layout of the tree suits a device: measured once, and remembered.
 #pragma once
 
-#include "upload/tree_walker.h"
+#include "upload/ray_query.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,4 +1,4 @@
-// Unit vectors in 32 bits. The decoder is kernels/lib/math.h.
+// Unit vectors in 32 bits. The decoder is kernels/math/elementary.h.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -68,7 +68,7 @@ PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
     FlatGeometry flat = flatten_geometry(scene);
     PackedScene packed;
     packed.bvh = build_bvh(flat.geometries, flat.placements, options);
-    narrow_bvh(packed.bvh, options.layout);
+    compact_bvh(packed.bvh, options.layout);
     LightList lights = build_lights(scene, flat);
     packed.lights = std::move(lights.records);
     packed.environment_light = lights.environment;

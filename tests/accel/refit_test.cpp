@@ -104,7 +104,7 @@ TEST_CASE("a refitted tree can be moved into a narrow layout, but not the other 
     Bvh bvh = build_bvh(scenery.geometries, scenery.placements, options);
     scenery.stir();
     refit_bvh(bvh, scenery.geometries, scenery.placements, options);
-    narrow_bvh(bvh, BvhLayout::binary);
+    compact_bvh(bvh, BvhLayout::binary);
     CHECK(!bvh.pairs.empty());
     CHECK_THROWS_AS(refit_bvh(bvh, scenery.geometries, scenery.placements, options), InputError);
 }

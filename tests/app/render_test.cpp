@@ -207,7 +207,7 @@ TEST_CASE("a second Ctrl-C ends the program at once and leaves the old picture a
     CHECK(folder.files() == before);
 }
 
-TEST_CASE("--aov tests writes what each pixel tests beside every picture") {
+TEST_CASE("--aov traversal-cost writes what each pixel tests beside every picture") {
     const Folder folder;
     const Outcome outcome =
         onde::test::onde(folder, render(CORNELL, {"-o", "a.png", "-o", "b.exr", "--aov", "tests"}));

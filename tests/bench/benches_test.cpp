@@ -60,10 +60,10 @@ TEST_CASE("the traversal bench races other kernels over the sets and walks that 
     const std::string mine = (folder / "kernels").string();
     std::filesystem::copy(ONDE_SOURCE_DIR "/kernels", mine,
                           std::filesystem::copy_options::recursive);
-    folder.write("kernels/lib/bvh_stream_occluded.h",
-                 content(ONDE_SOURCE_DIR "/kernels/lib/bvh_stream_occluded.h") + "// mine\n");
+    folder.write("kernels/trace/bvh_stream_occluded.h",
+                 content(ONDE_SOURCE_DIR "/kernels/trace/bvh_stream_occluded.h") + "// mine\n");
     const Json list = figures_of("traversal '" + CORNELL + "' --side 64 --repetitions 1 --sets ao" +
-                                 " --walks stream --against '" + mine + "'");
+                                 " --traversals stream --against '" + mine + "'");
     REQUIRE(values_of(list, "set") == std::set<std::string>{"ao"});
     const Json& modes = list.front().at("modes");
     CHECK(modes.at("against stream").get<double>() > 0);
@@ -114,6 +114,6 @@ TEST_CASE("benches refuse wrong input with one sentence and exit code 2") {
     for (const auto& [arguments, culprit] : cases)
         for (const char* name : {"traversal ", "build "}) refuses(name + arguments, culprit);
     refuses("traversal --sets shadows", "--sets");
-    refuses("traversal --walks fast", "--walks");
+    refuses("traversal --traversals fast", "--traversals");
     refuses("traversal --against gone", "gone: no such folder");
 }

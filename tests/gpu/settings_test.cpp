@@ -43,8 +43,8 @@ TEST_CASE("a CPU shades 16 lanes with AVX-512 and 8 without") {
 TEST_CASE("on a CPU rays take turns in trees that are larger than its cache") {
     DeviceFacts facts = cpu(true, true);
     facts.cache = 32 << 20;
-    CHECK(default_settings(facts).turns_above == 32 << 20);
-    CHECK(default_settings(graphics_card()).turns_above == UINT64_MAX);
+    CHECK(default_settings(facts).interleave_above == 32 << 20);
+    CHECK(default_settings(graphics_card()).interleave_above == UINT64_MAX);
 }
 
 TEST_CASE("a GPU runs separate stages, one path per work item, over a large wave") {

@@ -14,7 +14,7 @@ Probe& probe() {
     return built;
 }
 
-/// Bsdf of kernels/lib/bsdf.h.
+/// Bsdf of kernels/shade/bsdf.h.
 struct Surface {
     std::string name;
     glm::vec3 diffuse, f0;

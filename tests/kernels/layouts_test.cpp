@@ -1,5 +1,5 @@
 // The layouts for GPUs give the hits of the wide one, on any tree and any ray.
-#include "kernels/traversal_judges.h"
+#include "kernels/traversal_checks.h"
 #include "kernels/traversal_worlds.h"
 
 using namespace onde;
@@ -16,7 +16,7 @@ World in_layout(World world, BvhOptions options) {
     INFO("layout " << int(options.layout) << ", builder " << int(options.builder) << ", "
                    << world.placements.size() << " placements, watertight " << options.watertight);
     REQUIRE(validate_bvh(world.bvh, world.geometries, world.placements) == "");
-    narrow_bvh(world.bvh, options.layout);
+    compact_bvh(world.bvh, options.layout);
     return world;
 }
 

@@ -1,7 +1,7 @@
 // The painter's sort: the device's radix sort against std::stable_sort, and keys in the order of
 // depths.
+#include "chapter/raster_sort.h"
 #include "kernels/columns.h"
-#include "render/raster_sort.h"
 
 #include <catch2/catch.hpp>
 

@@ -4,7 +4,7 @@
 #include "accel/soups.h"
 #include "support/device.h"
 #include "support/test_cache.h"
-#include "upload/tree_walker.h"
+#include "upload/ray_query.h"
 #include <array>
 #include <bit>
 #include <catch2/catch.hpp>
@@ -14,8 +14,8 @@ namespace onde::test::traversal {
 
 using namespace onde::gpu;
 
-using Ray = WalkRay;
-using Hit = WalkHit;
+using Ray = QueryRay;
+using Hit = QueryHit;
 
 inline bool operator==(const Hit& a, const Hit& b) {
     return std::memcmp(&a, &b, sizeof(Hit)) == 0;
@@ -64,12 +64,13 @@ class Tracer {
     std::vector<Hit> closest_stream(std::span<const Ray> rays) {
         return trace<Hit>("closest_stream", rays, (rays.size() + 15) / 16);
     }
-    std::vector<Hit> closest_turns(std::span<const Ray> rays) {
-        return trace<Hit>("closest_turns", rays, (rays.size() + 15) / 16);
+    std::vector<Hit> closest_interleaved(std::span<const Ray> rays) {
+        return trace<Hit>("closest_interleaved", rays, (rays.size() + 15) / 16);
     }
     /// What each of the walks finds: single rays, packets, streams, turns.
     std::array<std::vector<Hit>, 4> closest_by_all(std::span<const Ray> rays) {
-        return {closest(rays), closest_packet(rays), closest_stream(rays), closest_turns(rays)};
+        return {closest(rays), closest_packet(rays), closest_stream(rays),
+                closest_interleaved(rays)};
     }
     std::vector<uint32_t> occluded(std::span<const Ray> rays) {
         return trace<uint32_t>("occluded", rays, rays.size());
@@ -91,9 +92,9 @@ class Tracer {
         std::vector<KernelShape> kernels{{"closest", 64}, {"occluded", 64}};
         if (bvh.layout == BvhLayout::wide)
             for (const char* name :
-                 {"closest_packet", "closest_stream", "closest_turns", "occluded_stream"})
+                 {"closest_packet", "closest_stream", "closest_interleaved", "occluded_stream"})
                 kernels.push_back({name, 1});
-        return {"bench/traversal.cl", std::move(defines), std::move(kernels)};
+        return {"trace/query.cl", std::move(defines), std::move(kernels)};
     }
 
     template <class Result>
@@ -107,7 +108,7 @@ class Tracer {
         return output.read(device());
     }
 
-    DeviceTree tree_;
+    DeviceBvh tree_;
     Program program_;
 };
 

@@ -1,6 +1,6 @@
 // What the kernels' walks answer: against brute force in double precision, against Embree, and
 // against each other, bit by bit.
-#include "kernels/traversal_judges.h"
+#include "kernels/traversal_checks.h"
 #include "kernels/traversal_worlds.h"
 #include "scene/load.h"
 #include "support/assets.h"
@@ -72,7 +72,7 @@ TEST_CASE("streams and turns keep each ray's own interval") {
     for (const World& world : {World(bumpy_terrain(100)), grove()}) {
         Tracer tracer(world);
         CHECK(differences(tracer.closest(rays), tracer.closest_stream(rays)) == 0);
-        CHECK(differences(tracer.closest(rays), tracer.closest_turns(rays)) == 0);
+        CHECK(differences(tracer.closest(rays), tracer.closest_interleaved(rays)) == 0);
         CHECK(differences(tracer.occluded(rays), tracer.occluded_stream(rays)) == 0);
     }
 }

@@ -1,8 +1,8 @@
 // Bounding volumes (C12): they are tight, and no ray that hits the object is rejected by one.
 #include "accel/soups.h"
+#include "chapter/random_lines.h"
+#include "chapter/volume_trials.h"
 #include "kernels/columns.h"
-#include "lab/random_lines.h"
-#include "lab/volume_trials.h"
 
 #include <catch2/catch.hpp>
 

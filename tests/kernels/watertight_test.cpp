@@ -1,6 +1,6 @@
 // The watertight option: no ray leaves a closed mesh through shared edges and corners.
+#include "chapter/leak_trials.h"
 #include "kernels/traversal_worlds.h"
-#include "lab/leak_trials.h"
 
 using namespace onde;
 using namespace onde::test;

@@ -1,17 +1,17 @@
 // The depth buffer (C1) against a rasteriser in double precision that shares nothing with it, in
 // any order of the objects and by both kinds of atomics.
-#include "render/pixel_judge.h"
+#include "render/pixel_check.h"
 #include "render/raster_picture.h"
 
-#include "render/raster_camera.h"
-#include "render/raster_shapes.h"
+#include "chapter/raster_camera.h"
+#include "chapter/raster_shapes.h"
 
 namespace onde::test {
 namespace {
 
 /// Compares every pixel that is not doubtful; at most `most_doubtful` of all may be.
-void check_against_judge(const Scene& scene, const Image& image, double most_doubtful) {
-    PixelJudge judge(scene, image.width, image.height);
+void check_against_reference(const Scene& scene, const Image& image, double most_doubtful) {
+    PixelCheck judge(scene, image.width, image.height);
     size_t doubtful = 0, wrong = 0;
     std::string first;
     for (uint32_t y = 0; y < image.height; y++)
@@ -43,7 +43,8 @@ TEST_CASE("the depth buffer shows what a rasteriser in double precision finds ne
     for (uint32_t seed : {1u, 2u, 3u}) {
         const Scene scene = random_raster_scene(seed);
         check_scene(scene);
-        check_against_judge(scene, draw_depth(scene, best_depth_atomics(device().facts())), 0.06);
+        check_against_reference(scene, draw_depth(scene, best_depth_atomics(device().facts())),
+                                0.06);
     }
 }
 
@@ -115,7 +116,7 @@ TEST_CASE("a triangle far larger than the picture, slivers, points and what lies
     check_scene(scene);
     for (DepthAtomics atomics : BOTH) {
         if (atomics == DepthAtomics::wide && !device().facts().int64_atomics) continue;
-        check_against_judge(scene, draw_depth(scene, atomics), 0.05);
+        check_against_reference(scene, draw_depth(scene, atomics), 0.05);
     }
 }
 

@@ -1,5 +1,5 @@
 // The chapter's scenes show the numbers that they state, and the check of that can fail.
-#include "render/lesson_check.h"
+#include "chapter/lesson_check.h"
 #include "render/picture.h"
 
 #include <map>

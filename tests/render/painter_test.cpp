@@ -1,6 +1,6 @@
 // The painter's algorithm (C2) beside the depth buffer: the same where objects can be sorted, wrong
 // where they interlace; and blending against its closed form.
-#include "render/raster_painter.h"
+#include "chapter/raster_painter.h"
 #include "render/raster_picture.h"
 
 namespace onde::test {

@@ -3,6 +3,7 @@
 
 #include "render/render_loop.h"
 #include "scene/load.h"
+#include "session/integrators.h"
 #include "support/assets.h"
 #include "support/probe.h"
 #include "support/test_cache.h"

@@ -1,8 +1,9 @@
 // The depth buffer and the painter cut their work as for a GPU: a primitive, a pixel, a row of a
 // tile a work item, in groups of 64. The same bits as when it is cut for a CPU.
-#include "render/raster_painter.h"
+#include "chapter/raster_painter.h"
+#include "chapter/raster_sort.h"
 #include "render/raster_picture.h"
-#include "render/raster_sort.h"
+#include "session/integrators.h"
 
 #include <numeric>
 

@@ -1,9 +1,9 @@
 // Scenes for the depth buffer and the painter, and their pictures.
 #pragma once
 
+#include "chapter/raster_depth_buffer.h"
 #include "kernels/columns.h"
 #include "render/picture.h"
-#include "render/raster_depth_buffer.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -46,7 +46,7 @@ inline RenderOptions apply(RenderOptions options, const Variant& variant) {
     options.settings.queue = variant.queue;
     options.settings.width = variant.width;
     options.settings.primary_packets = variant.packets;
-    options.settings.turns_above = variant.turns ? 0 : UINT64_MAX;
+    options.settings.interleave_above = variant.turns ? 0 : UINT64_MAX;
     return options;
 }
 

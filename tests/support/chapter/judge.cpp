@@ -31,7 +31,7 @@ struct Comparison {
         return false;
     }
 
-    void compare(glm::uvec2 at, Judgement& into) const {
+    void compare(glm::uvec2 at, Comparison& into) const {
         const float* rgb = &picture.pixels[3 * (size_t(at.y) * picture.width + at.x)];
         const dvec3 seen(rgb[0], rgb[1], rgb[2]);
         const Seen expected = tracer.pixel(size(), at, samples);
@@ -55,7 +55,7 @@ struct Comparison {
     }
 };
 
-void join(Judgement& whole, const Judgement& part) {
+void join(Comparison& whole, const Comparison& part) {
     whole.pixels += part.pixels;
     whole.silhouettes += part.silhouettes;
     whole.wrong += part.wrong;
@@ -66,21 +66,21 @@ void join(Judgement& whole, const Judgement& part) {
 
 } // namespace
 
-Judgement judge(const Image& picture, const Scene& scene, uint32_t samples, uint32_t depth,
-                double tolerance) {
+Comparison judge(const Image& picture, const Scene& scene, uint32_t samples, uint32_t depth,
+                 double tolerance) {
     const Comparison comparison{picture, Tracer(scene, depth), samples, tolerance};
     std::atomic<uint32_t> next_row = 0;
-    std::vector<Judgement> parts(std::max(1u, std::thread::hardware_concurrency()));
+    std::vector<Comparison> parts(std::max(1u, std::thread::hardware_concurrency()));
     {
         std::vector<std::jthread> threads;
-        for (Judgement& part : parts)
+        for (Comparison& part : parts)
             threads.emplace_back([&] {
                 for (uint32_t y; (y = next_row++) < picture.height;)
                     for (uint32_t x = 0; x < picture.width; ++x) comparison.compare({x, y}, part);
             });
     }
-    Judgement whole;
-    for (const Judgement& part : parts) join(whole, part);
+    Comparison whole;
+    for (const Comparison& part : parts) join(whole, part);
     return whole;
 }
 

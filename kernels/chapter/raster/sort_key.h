@@ -1,0 +1,13 @@
+// Depths as integers to sort by.
+#ifndef ONDE_CHAPTER_RASTER_SORT_KEY_H
+#define ONDE_CHAPTER_RASTER_SORT_KEY_H
+
+#include "math/lanes.h"
+
+// Ascending keys go from the farthest to the nearest; -0 and 0 have the same one.
+INLINE uint far_to_near_key(float depth) {
+    const uint bits = as_uint(depth + 0.0f);
+    return bits & 0x80000000u ? bits : ~bits & 0x7fffffffu;
+}
+
+#endif

@@ -1,0 +1,54 @@
+// From a pixel and a sample to a ray: pinhole, thin lens or orthographic, with an
+// importance-sampled filter.
+#ifndef ONDE_SHADE_CAMERA_H
+#define ONDE_SHADE_CAMERA_H
+
+#include "math/random.h"
+#include "math/sampling.h"
+#include "shared/frame.h"
+
+typedef struct {
+    real3 origin, direction; // direction is unit
+} CameraRay;
+
+// Offset from the pixel's centre, in pixels, distributed as the filter.
+INLINE real filter_offset(__global const FrameRecord* frame, real u) {
+    const real x = u * (float)(FILTER_TABLE_SIZE - 1);
+    const real below = floor(x);
+    const natural i = as_natural(to_integer(below));
+    const real low = gather_real(frame->filter_table, i);
+    const real high = gather_real(frame->filter_table, i + 1u);
+    return fma(x - below, high - low, low);
+}
+
+// A point of the focus plane, or of the screen, by film coordinates in pixels, y downward.
+INLINE real3 camera_target(__global const FrameRecord* frame, real x, real y) {
+    return madd3(uniform3(frame->step_y), y,
+                 madd3(uniform3(frame->step_x), x, uniform3(frame->corner)));
+}
+
+// The ray through film coordinates, without a lens.
+INLINE CameraRay camera_ray_through(__global const FrameRecord* frame, real x, real y) {
+    const real3 target = camera_target(frame, x, y);
+    CameraRay ray;
+    ray.origin = frame->orthographic ? target : uniform3(frame->origin);
+    ray.direction =
+        frame->orthographic ? uniform3(frame->forward) : normalize3(sub3(target, ray.origin));
+    return ray;
+}
+
+// pixel: x | y << 16, y downward.
+INLINE CameraRay camera_ray(__global const FrameRecord* frame, natural pixel, Sampler sampler) {
+    const real2 u = sampler_pair(sampler, DIMENSION_FILTER);
+    const real x = to_real(pixel & 0xffffu) + 0.5f + filter_offset(frame, u.x);
+    const real y = to_real(pixel >> 16) + 0.5f + filter_offset(frame, u.y);
+    CameraRay ray = camera_ray_through(frame, x, y);
+    if (frame->orthographic || frame->aperture_radius <= 0.0f) return ray;
+    const real2 lens = sample_disk(sampler_pair(sampler, DIMENSION_LENS));
+    ray.origin = madd3(uniform3(frame->lens_u), lens.x * frame->aperture_radius, ray.origin);
+    ray.origin = madd3(uniform3(frame->lens_v), lens.y * frame->aperture_radius, ray.origin);
+    ray.direction = normalize3(sub3(camera_target(frame, x, y), ray.origin));
+    return ray;
+}
+
+#endif

@@ -1,0 +1,26 @@
+// How much light a smooth boundary reflects.
+#ifndef ONDE_SHADE_FRESNEL_H
+#define ONDE_SHADE_FRESNEL_H
+
+#include "math/elementary.h"
+
+// Schlick 1994: from f0 at normal incidence to f90 at grazing.
+INLINE real3 fresnel_schlick(real3 f0, real f90, real cosine) {
+    const real m = clamp_real(1.0f - cosine, 0.0f, 1.0f);
+    const real m2 = m * m;
+    const real w = m2 * m2 * m;
+    return make3(fma(f90 - f0.x, w, f0.x), fma(f90 - f0.y, w, f0.y), fma(f90 - f0.z, w, f0.z));
+}
+
+// Unpolarised Fresnel equations. eta is the index beyond the boundary over the index before it,
+// cosine (>= 0) that of the incident direction. 1 beyond the critical angle.
+INLINE real fresnel_dielectric(real cosine, real eta) {
+    const real sine2 = (1.0f - cosine * cosine) / (eta * eta);
+    const real refracted = safe_sqrt(1.0f - sine2);
+    const real parallel = (eta * cosine - refracted) / (eta * cosine + refracted);
+    const real perpendicular = (cosine - eta * refracted) / (cosine + eta * refracted);
+    const real f = 0.5f * fma(parallel, parallel, perpendicular * perpendicular);
+    return choose(sine2 >= 1.0f, (real)(1.0f), f);
+}
+
+#endif

@@ -1,0 +1,278 @@
+// What lies at a hit: position, normals, texture coordinates, material. No light, no BSDF.
+#ifndef ONDE_SHADE_SURFACE_H
+#define ONDE_SHADE_SURFACE_H
+
+#include "shade/texture.h"
+#include "trace/hits.h"
+
+typedef struct {
+    real3 position;
+    real3 geometric; // unit, on the side that the ray came from
+    real3 normal;    // shading normal on that side, unit
+    real2 uv;
+    natural material;
+    natural light; // NO_INDEX when it does not emit; see SurfaceRecord
+    mask front;    // whether that side is the front face
+} Surface;
+
+// The one offset rule for ray origins: along the geometric normal, in proportion to the largest
+// number that went into the position, about a hundred times its rounding error.
+#define ORIGIN_OFFSET 2e-5f
+INLINE real3 offset_origin(real3 position, real3 normal, real t) {
+    const real largest =
+        max_component3(make3(fabs(position.x), fabs(position.y), fabs(position.z)));
+    return madd3(normal, max_real(largest, t) * ORIGIN_OFFSET, position);
+}
+
+// The same for rays whose line must not shift, as mirrors and grazing hits magnify that: moved on
+// along the unit direction d until as clear of the surface. Rays that graze would have to go far
+// and are lifted off for what is missing. `normal` is the geometric one, on either side.
+#define GRAZING_COSINE 0.05f
+typedef struct {
+    real3 origin;
+    real passed; // distance along the ray that is behind it
+} AdvancedOrigin;
+INLINE AdvancedOrigin advance_origin(real3 position, real3 normal, real3 d, real t) {
+    const real3 size = make3(fabs(position.x), fabs(position.y), fabs(position.z));
+    const real clear = max_real(max_component3(size), t) * ORIGIN_OFFSET;
+    const real rise = dot3(d, normal), steepness = fabs(rise);
+    AdvancedOrigin result;
+    result.passed = clear / max_real(steepness, (real)(GRAZING_COSINE));
+    const real lift = copysign(clear - result.passed * steepness, rise);
+    result.origin = madd3(d, result.passed, madd3(normal, lift, position));
+    return result;
+}
+
+// Shadow rays stop this share short of the light, so as not to hit the light itself.
+#define SHADOW_SHORTENING (1.0f - 1e-4f)
+
+// Row k of the linear part of an instance's matrix.
+#define INSTANCE_ROW(view, i, matrix, k)                                                           \
+    make3(RECORD(view.bvh.instances, i, BvhInstance, matrix[4 * k]),                               \
+          RECORD(view.bvh.instances, i, BvhInstance, matrix[4 * k + 1]),                           \
+          RECORD(view.bvh.instances, i, BvhInstance, matrix[4 * k + 2]))
+
+// A normal of object space in the world, where the hit is on an instance (inverse transpose).
+INLINE real3 instance_normal(SceneView view, natural instance, real3 n) {
+#if ONDE_INSTANCES
+    const mask placed = instance != BVH_NONE;
+    if (!mask_bits(placed)) return n;
+    const natural i = choose(placed, instance, (natural)(0u));
+    const real3 world = madd3(INSTANCE_ROW(view, i, world_to_object, 2), n.z,
+                              madd3(INSTANCE_ROW(view, i, world_to_object, 1), n.y,
+                                    scale3(INSTANCE_ROW(view, i, world_to_object, 0), n.x)));
+    return choose(placed, normalize3(world), n);
+#else
+    return n;
+#endif
+}
+
+// A tangent of object space in the world, and the sign of its bitangent there: a mirror image
+// turns the other way.
+typedef struct {
+    real3 direction;
+    real sign;
+} Tangent;
+
+INLINE Tangent instance_tangent(SceneView view, natural instance, Tangent t) {
+#if ONDE_INSTANCES
+    const mask placed = instance != BVH_NONE;
+    if (!mask_bits(placed)) return t;
+    const natural i = choose(placed, instance, (natural)(0u));
+    const real3 x = INSTANCE_ROW(view, i, object_to_world, 0);
+    const real3 y = INSTANCE_ROW(view, i, object_to_world, 1);
+    const real3 z = INSTANCE_ROW(view, i, object_to_world, 2);
+    const real3 world = make3(dot3(x, t.direction), dot3(y, t.direction), dot3(z, t.direction));
+    const mask mirrored = placed & (dot3(x, cross3(y, z)) < 0.0f);
+    t.direction = choose(placed, normalize3(world), t.direction);
+    t.sign = choose(mirrored, -t.sign, t.sign);
+#endif
+    return t;
+}
+
+// How far a point that is `outside` a round surface by a rounding error moves on along its ray to
+// be on it; `rise` is the ray direction's part along the outward normal. Where the ray grazes this
+// is left to projection.
+INLINE real slide_back(real outside, real rise) {
+    return choose(fabs(rise) > 0.01f, -outside / rise, (real)(0.0f));
+}
+
+#if ONDE_SHAPES
+// A point on a shape: where it lies in the world, and its outward normal in object space.
+typedef struct {
+    real3 position, normal;
+} ShapePoint;
+
+// Its normal, and how far outside p lies, both in object space.
+typedef struct {
+    real3 normal;
+    real outside;
+} ShapeSide;
+
+INLINE ShapeSide shape_side(natural kind, real minor_radius, real3 p) {
+    const real zero = (real)(0.0f), one = (real)(1.0f);
+    const real rho = max_real(sqrt(fma(p.x, p.x, p.z * p.z)), (real)(1e-20f));
+    const real3 radial = make3(p.x / rho, zero, p.z / rho);
+    const real up = choose(p.y < 0.0f, -one, one);
+
+    const real3 tube = sub3(p, radial); // from the centre of the torus's tube
+    const mask torus = kind == SHAPE_TORUS, ellipsoid = kind == SHAPE_ELLIPSOID;
+    const real3 from = choose(torus, tube, p);
+    const real far = max_real(length3(from), (real)(1e-20f));
+    ShapeSide side; // of torus and ellipsoid
+    side.normal = scale3(from, 1.0f / far);
+    side.outside = far - choose(torus, minor_radius, one);
+
+    const real slant = 0.70710678f;
+    const real above_side = (rho + p.y - 1.0f) * slant;
+    const mask disk = kind == SHAPE_DISK;
+    const mask base = (kind == SHAPE_CONE) & (-p.y > above_side);
+    const mask cap = (kind == SHAPE_CYLINDER) & (fabs(p.y) > rho);
+    const mask flat_face = disk | base | cap;
+    const real facing = choose(cap, up, choose(base, -one, one));
+    const real3 slope = make3(radial.x * slant, slant, radial.z * slant);
+    const mask cone = kind == SHAPE_CONE;
+    const real3 round_normal = choose(cone, slope, radial);
+    const real round_outside = choose(cone, above_side, rho - 1.0f);
+    const real flat_outside = fma(facing, p.y, choose(cap, -one, zero));
+    const mask smooth = torus | ellipsoid;
+    const real3 faced = choose(flat_face, make3(zero, facing, zero), round_normal);
+    side.normal = choose(smooth, side.normal, faced);
+    side.outside = choose(smooth, side.outside, choose(flat_face, flat_outside, round_outside));
+    return side;
+}
+
+    #define INSTANCE_OFFSET(view, i, matrix)                                                       \
+        make3(RECORD(view.bvh.instances, i, BvhInstance, matrix[3]),                               \
+              RECORD(view.bvh.instances, i, BvhInstance, matrix[7]),                               \
+              RECORD(view.bvh.instances, i, BvhInstance, matrix[11]))
+
+// The point of the shape next to a world position on it, up to rounding, along a ray that met it.
+INLINE ShapePoint shape_point(SceneView view, natural record, natural instance, real3 world,
+                              real3 direction, mask lanes) {
+    const natural i = choose(lanes, instance, (natural)(0u));
+    const real3 to_object = INSTANCE_OFFSET(view, i, world_to_object);
+    real3 p;
+    p.x = dot3(INSTANCE_ROW(view, i, world_to_object, 0), world) + to_object.x;
+    p.y = dot3(INSTANCE_ROW(view, i, world_to_object, 1), world) + to_object.y;
+    p.z = dot3(INSTANCE_ROW(view, i, world_to_object, 2), world) + to_object.z;
+    const natural kind = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, tangent);
+    const real minor_radius = RECORD(view.surfaces, record, SurfaceRecord, uv[0]);
+    real3 d;
+    d.x = dot3(INSTANCE_ROW(view, i, world_to_object, 0), direction);
+    d.y = dot3(INSTANCE_ROW(view, i, world_to_object, 1), direction);
+    d.z = dot3(INSTANCE_ROW(view, i, world_to_object, 2), direction);
+    ShapeSide side = shape_side(kind, minor_radius, p);
+    p = madd3(d, slide_back(side.outside, dot3(d, side.normal)), p);
+    side = shape_side(kind, minor_radius, p);
+    p = madd3(side.normal, -side.outside, p);
+    const real3 to_world = INSTANCE_OFFSET(view, i, object_to_world);
+    ShapePoint point;
+    point.normal = side.normal;
+    point.position.x = dot3(INSTANCE_ROW(view, i, object_to_world, 0), p) + to_world.x;
+    point.position.y = dot3(INSTANCE_ROW(view, i, object_to_world, 1), p) + to_world.y;
+    point.position.z = dot3(INSTANCE_ROW(view, i, object_to_world, 2), p) + to_world.z;
+    return point;
+}
+#endif
+
+#if ONDE_NORMAL_MAPS
+// The normal told by the material's normal map (glTF 2.0, section 3.9.3), or n where it has none.
+INLINE real3 mapped_normal(SceneView view, Hits hit, natural record, natural material, real2 uv,
+                           real3 n) {
+    const natural texture =
+        RECORD_NATURAL(view.materials, material, MaterialRecord, normal_texture);
+    const mask present = texture != NO_INDEX;
+    if (!mask_bits(present)) return n;
+    const real scale = RECORD(view.materials, material, MaterialRecord, normal_scale);
+    real3 m = texture_data(view, texture, uv);
+    m = make3(fma(m.x, (real)(2.0f), (real)(-1.0f)) * scale,
+              fma(m.y, (real)(2.0f), (real)(-1.0f)) * scale, fma(m.z, (real)(2.0f), (real)(-1.0f)));
+    const natural word = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, tangent);
+    Tangent frame;
+    frame.sign = choose((word & 1u) != 0u, (real)(-1.0f), (real)(1.0f));
+    frame.direction = decode_octahedral(word & ~1u);
+    frame = instance_tangent(view, hit.instance, frame);
+    real3 tangent = frame.direction;
+    tangent = madd3(n, -dot3(n, tangent), tangent);
+    const real across = length3(tangent);
+    const real3 t = scale3(tangent, 1.0f / max_real(across, (real)(1e-20f)));
+    const real3 b = scale3(cross3(n, t), frame.sign);
+    const real3 bent = madd3(n, m.z, madd3(b, m.y, scale3(t, m.x)));
+    const mask usable = present & (across > 1e-4f) & (dot3(bent, bent) > 1e-8f);
+    return choose(usable, normalize3(choose(usable, bent, n)), n);
+}
+#else
+INLINE real3 mapped_normal(SceneView view, Hits hit, natural record, natural material, real2 uv,
+                           real3 n) {
+    return n;
+}
+#endif
+
+// The surface at the hits of `lanes`; other lanes hold the first primitive's.
+INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hit, mask lanes) {
+    const natural record = choose(lanes, hit.primitive, (natural)(0u));
+    hit.instance = choose(lanes, hit.instance, (natural)(BVH_NONE));
+    const real u = choose(lanes, hit.u, (real)(0.0f)), v = choose(lanes, hit.v, (real)(0.0f));
+    const real w = 1.0f - u - v;
+    Surface s;
+    s.position = madd3(direction, hit.t, origin);
+    const natural word = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, material);
+    s.material = word & SURFACE_MATERIAL_MASK;
+    s.light = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, light);
+
+    real3 geometric = RECORD3(view.surfaces, record, SurfaceRecord, geometric);
+    const real3 n0 =
+        decode_octahedral(RECORD_NATURAL(view.surfaces, record, SurfaceRecord, normal[0]));
+    const real3 n1 =
+        decode_octahedral(RECORD_NATURAL(view.surfaces, record, SurfaceRecord, normal[1]));
+    const real3 n2 =
+        decode_octahedral(RECORD_NATURAL(view.surfaces, record, SurfaceRecord, normal[2]));
+    const real3 smooth = normalize3(madd3(n2, v, madd3(n1, u, scale3(n0, w))));
+    // Sixteen bits would bend mirrors by 3e-5.
+    real3 normal = choose((word & SURFACE_FLAT) != 0u, geometric, smooth);
+    s.uv = make2(RECORD(view.surfaces, record, SurfaceRecord, uv[4]) * v, (real)(0.0f));
+    s.uv.x = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[2]), u, s.uv.x);
+    s.uv.x = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[0]), w, s.uv.x);
+    s.uv.y = RECORD(view.surfaces, record, SurfaceRecord, uv[5]) * v;
+    s.uv.y = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[3]), u, s.uv.y);
+    s.uv.y = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[1]), w, s.uv.y);
+#if ONDE_SPHERES
+    const mask sphere = (word & SURFACE_SPHERE) != 0u;
+    if_any (sphere) {
+        const real3 from = sub3(s.position, geometric); // the centre, for a sphere
+        const real far = length3(from);
+        const real slide = slide_back(far - s.uv.x, dot3(from, direction) / far);
+        const real3 outward = normalize3(madd3(direction, slide, from));
+        geometric = choose(sphere, outward, geometric);
+        normal = choose(sphere, outward, normal);
+        s.position =
+            choose(sphere,
+                   madd3(outward, s.uv.x, RECORD3(view.surfaces, record, SurfaceRecord, geometric)),
+                   s.position);
+    }
+#endif
+#if ONDE_SHAPES
+    const mask shape = lanes & ((word & SURFACE_SHAPE) != 0u); // the others have no instance
+    if_any (shape) {
+        const ShapePoint point =
+            shape_point(view, record, hit.instance, s.position, direction, shape);
+        geometric = choose(shape, point.normal, geometric);
+        normal = choose(shape, point.normal, normal);
+        s.position = choose(shape, point.position, s.position);
+        s.uv.x = choose(shape, (real)(0.0f), s.uv.x);
+    }
+#endif
+    geometric = instance_normal(view, hit.instance, geometric);
+    normal = instance_normal(view, hit.instance, normal);
+    normal = mapped_normal(view, hit, record, s.material, s.uv, normal);
+
+    s.front = dot3(geometric, direction) < 0.0f;
+    s.geometric = choose(s.front, geometric, negate3(geometric));
+    normal = choose(dot3(normal, s.geometric) < 0.0f, negate3(normal), normal);
+    const mask grazing = !(dot3(normal, direction) < -1e-3f); // NaN falls here too
+    s.normal = choose(grazing, s.geometric, normal);
+    return s;
+}
+
+#endif

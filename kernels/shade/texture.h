@@ -1,0 +1,89 @@
+// Bilinear lookups in 8-bit textures. NO_INDEX stands for a texture of ones.
+#ifndef ONDE_SHADE_TEXTURE_H
+#define ONDE_SHADE_TEXTURE_H
+
+#include "math/elementary.h"
+#include "shade/scene_view.h"
+
+// The two texel coordinates around a texture coordinate, and the weight of the second.
+typedef struct {
+    natural first, second;
+    real fraction;
+} TexelPair;
+
+INLINE TexelPair texel_pair(real t, natural size, natural wrap) {
+    const mask repeat = wrap == WRAP_REPEAT, mirror = wrap == WRAP_MIRROR;
+    const real folded = t - 2.0f * floor(t * 0.5f); // in [0, 2]
+    t = choose(repeat, t - floor(t),
+               choose(mirror, choose(folded > 1.0f, 2.0f - folded, folded), t));
+    const integer n = as_integer(size);
+    const real x = fma(clamp_real(t, 0.0f, 1.0f), to_real(n), (real)(-0.5f));
+    const real below = floor(x);
+    const integer i = to_integer(below);
+    const integer last = n - 1;
+    const integer low = choose(i < 0, choose(repeat, last, (integer)(0)), i);
+    const integer high = choose(i >= last, choose(repeat, (integer)(0), last), i + 1);
+    TexelPair pair;
+    pair.first = as_natural(low);
+    pair.second = as_natural(high);
+    pair.fraction = x - below;
+    return pair;
+}
+
+INLINE real3 texel_data(natural texel) {
+    return scale3(
+        make3(to_real(texel & 255u), to_real((texel >> 8) & 255u), to_real((texel >> 16) & 255u)),
+        (real)(1.0f / 255.0f));
+}
+INLINE real3 texel_color(SceneView view, natural texel) {
+    return make3(gather_real(view.srgb, texel & 255u), gather_real(view.srgb, (texel >> 8) & 255u),
+                 gather_real(view.srgb, (texel >> 16) & 255u));
+}
+
+typedef struct {
+    natural texel[4]; // (0,0) (1,0) (0,1) (1,1)
+    real x, y;
+} TexelQuad;
+
+INLINE TexelQuad fetch_quad(SceneView view, natural texture, real2 uv) {
+    const natural width = RECORD_NATURAL(view.textures, texture, TextureRecord, width);
+    const natural height = RECORD_NATURAL(view.textures, texture, TextureRecord, height);
+    const natural offset = RECORD_NATURAL(view.textures, texture, TextureRecord, offset);
+    const TexelPair x =
+        texel_pair(uv.x, width, RECORD_NATURAL(view.textures, texture, TextureRecord, wrap_u));
+    const TexelPair y =
+        texel_pair(uv.y, height, RECORD_NATURAL(view.textures, texture, TextureRecord, wrap_v));
+    const natural row0 = offset + y.first * width, row1 = offset + y.second * width;
+    TexelQuad quad;
+    quad.texel[0] = gather_natural(view.texels, row0 + x.first);
+    quad.texel[1] = gather_natural(view.texels, row0 + x.second);
+    quad.texel[2] = gather_natural(view.texels, row1 + x.first);
+    quad.texel[3] = gather_natural(view.texels, row1 + x.second);
+    quad.x = x.fraction;
+    quad.y = y.fraction;
+    return quad;
+}
+
+// Linear values of a texture that stores data (normals, roughness).
+INLINE real3 texture_data(SceneView view, natural texture, real2 uv) {
+    const mask present = texture != NO_INDEX;
+    const real3 ones = splat3((real)(1.0f));
+    if (!mask_bits(present)) return ones;
+    const TexelQuad q = fetch_quad(view, choose(present, texture, (natural)(0u)), uv);
+    const real3 top = mix3(texel_data(q.texel[0]), texel_data(q.texel[1]), q.x);
+    const real3 bottom = mix3(texel_data(q.texel[2]), texel_data(q.texel[3]), q.x);
+    return choose(present, mix3(top, bottom, q.y), ones);
+}
+
+// Linear values of a texture that stores sRGB colours; texels are linearised before filtering.
+INLINE real3 texture_color(SceneView view, natural texture, real2 uv) {
+    const mask present = texture != NO_INDEX;
+    const real3 ones = splat3((real)(1.0f));
+    if (!mask_bits(present)) return ones;
+    const TexelQuad q = fetch_quad(view, choose(present, texture, (natural)(0u)), uv);
+    const real3 top = mix3(texel_color(view, q.texel[0]), texel_color(view, q.texel[1]), q.x);
+    const real3 bottom = mix3(texel_color(view, q.texel[2]), texel_color(view, q.texel[3]), q.x);
+    return choose(present, mix3(top, bottom, q.y), ones);
+}
+
+#endif

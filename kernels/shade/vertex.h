@@ -1,0 +1,36 @@
+// A vertex of a path on a surface: its geometry and BSDF, where rays leave it, and on which side
+// they may. Shared by the estimators that follow BSDFs.
+#ifndef ONDE_SHADE_VERTEX_H
+#define ONDE_SHADE_VERTEX_H
+
+#include "shade/material.h"
+
+// The geometry of a vertex, shared by what happens there.
+typedef struct {
+    Surface surface;
+    Basis basis;
+    real3 wo; // local, above
+    real t;   // of the ray that came here, for the offset rule
+    Bsdf bsdf;
+} Vertex;
+
+// Where a ray leaves the vertex in world direction d.
+INLINE real3 vertex_exit(Vertex v, real3 d) {
+    const real3 side = choose(dot3(d, v.surface.geometric) > 0.0f, v.surface.geometric,
+                              negate3(v.surface.geometric));
+    return offset_origin(v.surface.position, side, v.t);
+}
+
+// Opaque surfaces let no light through, whatever their shading normals say; glass must have
+// reflection and refraction on the true sides too.
+INLINE mask true_side(Vertex v, real3 wi, real3 world) {
+    const real outward = dot3(world, v.surface.geometric);
+    return choose(wi.z > 0.0f, outward > 0.0f, (outward < 0.0f) & v.bsdf.dielectric);
+}
+
+// Russian roulette: the probability with which a path of this throughput goes on.
+INLINE real roulette_survival(real3 throughput) {
+    return clamp_real(max_component3(throughput), 0.05f, 0.95f);
+}
+
+#endif

@@ -1,0 +1,82 @@
+// What every walk shares, whatever the layout of the tree: the view of its arrays, the ray in the
+// space of the tree that it walks, entries of the stack.
+#ifndef ONDE_TRACE_BVH_VIEW_H
+#define ONDE_TRACE_BVH_VIEW_H
+
+#include "trace/bvh_leaf.h"
+#include "trace/bvh_slab.h"
+
+// The layout of the tree that the kernels are compiled for: BVH_LAYOUT_... in shared/bvh.h.
+#ifndef ONDE_BVH_LAYOUT
+    #define ONDE_BVH_LAYOUT BVH_LAYOUT_WIDE
+#endif
+// Entries that the tree's deepest walk needs: Bvh::stack_size.
+#ifndef ONDE_STACK_SIZE
+    #define ONDE_STACK_SIZE 256
+#endif
+// Whether some leaf of the tree is an instance, or a sphere; the code for it is left out otherwise.
+#ifndef ONDE_INSTANCES
+    #define ONDE_INSTANCES 1
+#endif
+#ifndef ONDE_SPHERES
+    #define ONDE_SPHERES 1
+#endif
+// Whether some leaf is an analytic shape; those hang in instances only.
+#ifndef ONDE_SHAPES
+    #define ONDE_SHAPES ONDE_INSTANCES
+#endif
+
+typedef struct {
+    __global const uchar* nodes;
+    __global const uchar* blocks;
+    __global const BvhSphere* spheres;
+    __global const BvhInstance* instances;
+    uint root; // child word
+} BvhView;
+
+INLINE uint is_finite_ray(float3 origin, float3 direction) {
+    const float3 sum = (origin + direction) * 0.0f; // NaN where there was NaN or infinity
+    return sum.x + sum.y + sum.z == 0.0f;
+}
+
+// What waits on the stack of a closest-hit walk: distance << 32 | child word. Positive floats order
+// like their bits, so one integer comparison sorts by distance.
+INLINE ulong stack_entry(float distance, uint word) {
+    return (ulong)as_uint(distance) << 32 | word;
+}
+INLINE float entry_distance(ulong entry) {
+    return as_float((uint)(entry >> 32));
+}
+
+// Waits below everything an instance's tree pushes; no tree has this child word.
+#define STACK_LEAVE_INSTANCE ((ulong)BVH_NONE)
+
+// The view as single arguments of a function that is not inlined: a struct would go through memory,
+// which a short walk feels.
+#define BVH_SCALARS                                                                                \
+    __global const uchar *nodes, __global const uchar *blocks, __global const BvhSphere *spheres,  \
+        __global const BvhInstance *instances, uint root
+#define BVH_TO_SCALARS(bvh) bvh.nodes, bvh.blocks, bvh.spheres, bvh.instances, bvh.root
+#define BVH_FROM_SCALARS                                                                           \
+    { nodes, blocks, spheres, instances, root }
+
+// A ray in the space of the tree that it walks.
+typedef struct {
+    float3 origin, direction;
+    SlabRay slab;
+    float entry;   // no box of the tree is entered earlier
+    uint instance; // that the tree is of; BVH_NONE: the world's
+} PlacedRay;
+
+INLINE PlacedRay place_ray(float3 origin, float3 direction, float entry, uint instance) {
+    const PlacedRay ray = {origin, direction, make_slab_ray(origin, direction), entry, instance};
+    return ray;
+}
+INLINE PlacedRay place_in_instance(BvhView bvh, uint instance, float3 origin, float3 direction,
+                                   float entry) {
+    __global const float* rows = bvh.instances[instance].world_to_object;
+    return place_ray(transform_point(rows, origin), transform_vector(rows, direction), entry,
+                     instance);
+}
+
+#endif

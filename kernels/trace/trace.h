@@ -1,0 +1,170 @@
+// Rays of several lanes against the scene: one walk per live lane, or one of all lanes in company.
+// For rays that lie in memory see trace_rows.h.
+#ifndef ONDE_TRACE_TRACE_H
+#define ONDE_TRACE_TRACE_H
+
+#include "trace/bvh.h"
+#include "trace/hits.h"
+#if ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE
+    #include "trace/bvh_interleaved.h"
+    #include "trace/bvh_packet.h"
+    #include "trace/bvh_stream_closest.h"
+    #include "trace/bvh_stream_occluded.h"
+#endif
+
+// Whether rays of several lanes may walk in company, and the bounces from the camera that do;
+// shadow rays then always do.
+#ifndef ONDE_STREAMS
+    #define ONDE_STREAMS (ONDE_CPU && ONDE_WIDTH > 1 && ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE)
+#endif
+#ifndef ONDE_STREAM_BOUNCES
+    #define ONDE_STREAM_BOUNCES 2
+#endif
+
+// Whether primary rays go through the tree as packets.
+#ifndef ONDE_PRIMARY_PACKETS
+    #define ONDE_PRIMARY_PACKETS 0
+#endif
+
+// Whether rays of later bounces, which have little in common, take turns instead of walking one
+// after the other: for trees that the caches do not hold.
+#ifndef ONDE_INTERLEAVE
+    #define ONDE_INTERLEAVE 0
+#endif
+
+#define RAY_INFINITY 1e30f
+
+// Rays, lane by lane, as the scalar traversal wants them.
+typedef struct {
+    float origin_x[ONDE_WIDTH], origin_y[ONDE_WIDTH], origin_z[ONDE_WIDTH];
+    float direction_x[ONDE_WIDTH], direction_y[ONDE_WIDTH], direction_z[ONDE_WIDTH];
+} SpilledRays;
+
+INLINE void spill_rays(SpilledRays* rays, real3 origin, real3 direction) {
+    spill_real(rays->origin_x, origin.x);
+    spill_real(rays->origin_y, origin.y);
+    spill_real(rays->origin_z, origin.z);
+    spill_real(rays->direction_x, direction.x);
+    spill_real(rays->direction_y, direction.y);
+    spill_real(rays->direction_z, direction.z);
+}
+INLINE float3 spilled_origin(const SpilledRays* rays, uint k) {
+    return (float3)(rays->origin_x[k], rays->origin_y[k], rays->origin_z[k]);
+}
+INLINE float3 spilled_direction(const SpilledRays* rays, uint k) {
+    return (float3)(rays->direction_x[k], rays->direction_y[k], rays->direction_z[k]);
+}
+
+// Closest hits of the lanes in `bits`; the other lanes miss.
+INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits) {
+    SpilledRays rays;
+    spill_rays(&rays, origin, direction);
+    float t[ONDE_WIDTH], u[ONDE_WIDTH], v[ONDE_WIDTH];
+    float primitive[ONDE_WIDTH], instance[ONDE_WIDTH];
+    const real nothing = as_real((natural)(BVH_NONE));
+    spill_real(primitive, nothing);
+    spill_real(instance, nothing);
+    for (; bits; bits &= bits - 1) {
+        const uint k = lowest_bit(bits);
+        const Hit hit = bvh_closest(bvh, spilled_origin(&rays, k), 0.0f,
+                                    spilled_direction(&rays, k), RAY_INFINITY);
+        t[k] = hit.t;
+        u[k] = hit.u;
+        v[k] = hit.v;
+        primitive[k] = as_float(hit.primitive);
+        instance[k] = as_float(hit.instance);
+    }
+    Hits hits;
+    hits.t = unspill_real(t);
+    hits.u = unspill_real(u);
+    hits.v = unspill_real(v);
+    hits.primitive = as_natural(unspill_real(primitive));
+    hits.instance = as_natural(unspill_real(instance));
+    return hits;
+}
+
+#if ONDE_STREAMS
+// Up to 16 rays of a bounce: primary rays as a packet, those that just left what the camera sees in
+// company, the rest in turns or one after the other.
+INLINE void closest_in_company(BvhView bvh, StreamRays* rays, StreamHits* hits, uint bounce,
+                               uint bits) {
+    const float t_min[STREAM_WIDTH] = {0.0f};
+    clear_stream_hits(hits, RAY_INFINITY);
+    if (bounce == 0 && ONDE_PRIMARY_PACKETS) {
+        bvh_closest_packet(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
+        return;
+    }
+    if (bounce < ONDE_STREAM_BOUNCES) {
+        bvh_closest_stream(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
+        return;
+    }
+    #if ONDE_INTERLEAVE
+    bvh_closest_interleaved(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
+    #else
+    for (; bits; bits &= bits - 1) {
+        const uint r = lowest_bit(bits);
+        set_stream_hit(hits, r,
+                       bvh_closest(bvh, stream_origin(rays, r), 0.0f, stream_direction(rays, r),
+                                   RAY_INFINITY));
+    }
+    #endif
+}
+
+INLINE void load_stream(StreamRays* rays, real3 origin, real3 direction) {
+    spill_real(rays->origin[0], origin.x);
+    spill_real(rays->origin[1], origin.y);
+    spill_real(rays->origin[2], origin.z);
+    spill_real(rays->direction[0], direction.x);
+    spill_real(rays->direction[1], direction.y);
+    spill_real(rays->direction[2], direction.z);
+}
+#endif
+
+// The closest hits of a bounce, the camera's rays being bounce 0.
+#if ONDE_STREAMS
+INLINE Hits trace_bounce(BvhView bvh, real3 origin, real3 direction, uint bounce, uint bits) {
+    StreamRays rays;
+    StreamHits found;
+    load_stream(&rays, origin, direction);
+    closest_in_company(bvh, &rays, &found, bounce, bits);
+    Hits hits;
+    hits.t = unspill_real(found.t);
+    hits.u = unspill_real(found.u);
+    hits.v = unspill_real(found.v);
+    hits.primitive = unspill_natural(found.primitive);
+    hits.instance = unspill_natural(found.instance);
+    return hits;
+}
+#else
+INLINE Hits trace_bounce(BvhView bvh, real3 origin, real3 direction, uint bounce, uint bits) {
+    return trace_closest(bvh, origin, direction, bits);
+}
+#endif
+
+// One bit per lane of `bits` whose way to `distance` is blocked.
+#if ONDE_STREAMS
+INLINE uint trace_occluded(BvhView bvh, real3 origin, real3 direction, real distance, uint bits) {
+    StreamRays rays;
+    const float t_min[STREAM_WIDTH] = {0.0f};
+    float far[STREAM_WIDTH];
+    load_stream(&rays, origin, direction);
+    spill_real(far, distance);
+    return bvh_occluded_stream(BVH_TO_SCALARS(bvh), &rays, t_min, far, bits);
+}
+#else
+INLINE uint trace_occluded(BvhView bvh, real3 origin, real3 direction, real distance, uint bits) {
+    SpilledRays rays;
+    spill_rays(&rays, origin, direction);
+    float far[ONDE_WIDTH];
+    spill_real(far, distance);
+    uint blocked = 0;
+    for (; bits; bits &= bits - 1) {
+        const uint k = lowest_bit(bits);
+        if (bvh_occluded(bvh, spilled_origin(&rays, k), 0.0f, spilled_direction(&rays, k), far[k]))
+            blocked |= 1u << k;
+    }
+    return blocked;
+}
+#endif
+
+#endif

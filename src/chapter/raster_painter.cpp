@@ -1,0 +1,149 @@
+#include "chapter/raster_painter.h"
+
+#include "chapter/raster_sort.h"
+#include "chapter/raster_tiles.h"
+
+#include <algorithm>
+
+namespace onde {
+namespace {
+
+constexpr uint32_t MOST_SAMPLES = 16; // of one pass
+
+/// Of a tile, for one work item: CPUs take it whole and set up each triangle once.
+uint32_t rows_per_item(const gpu::DeviceFacts& facts) {
+    return facts.is_cpu ? RasterTiles::TILE : 1;
+}
+
+size_t shares(size_t count, uint32_t chunk) {
+    return (count + chunk - 1) / chunk;
+}
+
+class TilePainter : public Painter {
+  public:
+    TilePainter(const IntegratorContext& c, uint32_t most_entries)
+        : context_(checked(c)), options_(c.options), scene_(c),
+          film_(c.device, options_.width, options_.height),
+          tiles_(c.device, scene_.record(), most_entries), canvas_(c.device, pixels()),
+          statistics_(c.device, 4), keys_(c.device, scene_.primitives()),
+          order_(c.device, scene_.primitives()),
+          sort_(c.device, c.sources, c.cache, scene_.primitives(), c.options.settings.local_size),
+          program_(build_raster(c, "painter.cl",
+                                {{"depth_keys", shares(scene_.primitives(), chunk())},
+                                 {"find_tiles", shares(scene_.primitives(), chunk())},
+                                 {"count_tiles", tiles_.most_blocks()},
+                                 {"scan_columns", tiles_.count()},
+                                 {"fill_tiles", tiles_.most_blocks()},
+                                 {"clear_canvas", shares(pixels(), chunk())},
+                                 {"paint_tiles", paint_items()},
+                                 {"resolve_canvas", shares(pixels(), chunk())}})) {
+        statistics_.fill(c.device, 0u);
+        report_ = program_.report();
+        report_.seconds += sort_.build_report().seconds;
+        report_.from_cache &= sort_.build_report().from_cache;
+    }
+
+    void render_pass(uint32_t first, uint32_t count,
+                     const std::function<bool(double)>& keep_going) override {
+        if (!sorted_) sort();
+        for (uint32_t sample = 0; sample < count; sample++) {
+            scene_.set_sample(first + sample);
+            const auto between = [&] { return keep_going(double(sample) / count); };
+            if (!draw_sample(between) || !keep_going(double(sample + 1) / count)) return;
+        }
+    }
+
+    uint32_t max_samples() const override { return MOST_SAMPLES; }
+    const Film& film() const override { return film_; }
+    RayCounts ray_counts() const override { return {}; }
+    const gpu::BuildReport& build_report() const override { return report_; }
+    uint64_t state_bytes() const override {
+        return scene_.bytes() + tiles_.bytes() + sort_.bytes() +
+               (keys_.size() + order_.size()) * sizeof(uint32_t);
+    }
+
+    PaintCounts counts() const override {
+        const std::vector<uint32_t> words = statistics_.read(context_.device);
+        return {uint64_t(words[1]) << 32 | words[0], uint64_t(words[3]) << 32 | words[2]};
+    }
+
+    std::vector<std::string> findings() const override {
+        std::vector<std::string> sentences = scene_.notes();
+        const PaintCounts c = counts();
+        if (c.covered > 0)
+            sentences.push_back(fmt::format(
+                "{} fragments were painted on {} covered samples of pixels: {:.3g} for each",
+                c.fragments, c.covered, double(c.fragments) / double(c.covered)));
+        return sentences;
+    }
+
+  private:
+    static const IntegratorContext& checked(const IntegratorContext& context) {
+        check_options(context.options);
+        return context;
+    }
+    uint32_t pixels() const { return options_.width * options_.height; }
+    uint32_t chunk() const { return options_.settings.chunk; }
+    uint32_t rows() const { return rows_per_item(context_.device.facts()); }
+    uint32_t paint_items() const { return tiles_.count() * (RasterTiles::TILE / rows()); }
+
+    /// The order does not depend on the sample.
+    void sort() {
+        gpu::Kernel& kernel = program_.kernel("depth_keys");
+        kernel.set_from(0, scene_.primitives(), chunk());
+        kernel.set_from(scene_.bind(kernel, 2), keys_, order_);
+        kernel.launch(shares(scene_.primitives(), chunk()), context_.profiler);
+        sort_.sort(keys_, order_, scene_.primitives(), context_.profiler);
+        sorted_ = true;
+    }
+
+    /// Returns whether it was drawn to its end; else it is not on the film.
+    bool draw_sample(const std::function<bool()>& keep_going) {
+        gpu::Kernel& clear = program_.kernel("clear_canvas");
+        clear.set_from(0, pixels(), chunk());
+        clear.set_from(scene_.bind(clear, 2), canvas_);
+        clear.launch(shares(pixels(), chunk()), context_.profiler);
+        tiles_.find(program_, scene_, chunk(), context_.profiler);
+        for (uint32_t first = 0; first < scene_.primitives();) {
+            first += tiles_.list(program_, order_, first, scene_.primitives() - first,
+                                 context_.profiler);
+            paint();
+            if (!keep_going()) return false;
+        }
+        gpu::Kernel& resolve = program_.kernel("resolve_canvas");
+        resolve.set_from(0, pixels(), chunk(), canvas_, film_.sums(), statistics_);
+        resolve.launch(shares(pixels(), chunk()), context_.profiler);
+        context_.device.finish();
+        return true;
+    }
+
+    void paint() {
+        gpu::Kernel& kernel = program_.kernel("paint_tiles");
+        kernel.set(0, paint_items());
+        const uint32_t next = kernel.set_from(scene_.bind_scene(kernel, 1), rows());
+        kernel.set_from(scene_.bind(kernel, next), tiles_.across(), tiles_.begins(), tiles_.lists(),
+                        canvas_);
+        kernel.launch(paint_items(), context_.profiler);
+        context_.device.finish();
+    }
+
+    IntegratorContext context_;
+    RenderOptions options_;
+    RasterScene scene_;
+    Film film_;
+    RasterTiles tiles_;
+    gpu::Buffer<cl_float4> canvas_;
+    gpu::Buffer<uint32_t> statistics_, keys_, order_;
+    RadixSort sort_;
+    gpu::Program program_;
+    gpu::BuildReport report_;
+    bool sorted_ = false;
+};
+
+} // namespace
+
+std::unique_ptr<Painter> make_painter(const IntegratorContext& context, uint32_t most_entries) {
+    return std::make_unique<TilePainter>(context, most_entries);
+}
+
+} // namespace onde

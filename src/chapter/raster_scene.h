@@ -1,0 +1,48 @@
+// The primitives of a scene on the device, for the depth buffer and the painter.
+#pragma once
+
+#include "chapter/raster_geometry.h"
+#include "render/engine.h"
+#include "render/integrator.h"
+
+namespace onde {
+
+class RasterScene {
+  public:
+    explicit RasterScene(const IntegratorContext& context);
+
+    /// The sample of every pixel that kernels draw, once they are bound after this.
+    void set_sample(uint32_t sample);
+
+    /// Binds RASTER_PARAMETERS of kernels/chapter/raster/view.h from argument `first` on; returns
+    /// the next.
+    uint32_t bind(gpu::Kernel& kernel, uint32_t first) const;
+    /// Binds SCENE_PARAMETERS of kernels/shade/scene_view.h from argument `first` on.
+    uint32_t bind_scene(gpu::Kernel& kernel, uint32_t first) const;
+
+    const RasterRecord& record() const { return packed_.record; }
+    uint32_t primitives() const { return packed_.record.primitive_count; }
+    const std::vector<std::string>& notes() const { return packed_.notes; }
+    uint64_t bytes() const;
+
+  private:
+    const DeviceScene& scene_;
+    PackedRaster packed_;
+    gpu::Buffer<FrameRecord> frame_;
+    gpu::Buffer<RasterRecord> record_;
+    gpu::Buffer<RasterInstance> instances_;
+    gpu::Buffer<float> positions_;
+    gpu::Buffer<uint32_t> triangles_, triangle_materials_;
+    gpu::Buffer<RasterSphere> spheres_;
+    gpu::Buffer<RasterMaterial> materials_;
+    gpu::Buffer<float> uvs_;
+    float offset_x_ = 0.5f, offset_y_ = 0.5f;
+};
+
+/// The program kernels/raster/`file` for the scene: kernels by name, with the most work items that
+/// a launch of each will have.
+gpu::Program build_raster(const IntegratorContext& context, const std::string& file,
+                          const std::vector<std::pair<std::string, size_t>>& kernels,
+                          const std::vector<std::string>& more_defines = {});
+
+} // namespace onde

@@ -1,0 +1,33 @@
+// The stable radix sort of kernels/chapter/raster/radix_sort.cl.
+#pragma once
+
+#include "gpu/program.h"
+
+#include <cstdint>
+
+namespace onde {
+
+class RadixSort {
+  public:
+    /// For up to `capacity` pairs. The device outlives it.
+    RadixSort(const gpu::Device& device, const gpu::KernelSources& sources,
+              const gpu::ProgramCache* cache, uint32_t capacity, uint32_t local_size);
+
+    /// Queues the sort of the first `count` keys, ascending, with their values; pairs of equal keys
+    /// stay in their order.
+    void sort(const gpu::Buffer<uint32_t>& keys, const gpu::Buffer<uint32_t>& values,
+              uint32_t count, gpu::Profiler* profiler = nullptr);
+
+    uint64_t bytes() const;
+    const gpu::BuildReport& build_report() const { return program_.report(); }
+
+  private:
+    void pass(uint32_t shift, uint32_t count, const gpu::Buffer<uint32_t>* (&pairs)[4],
+              gpu::Profiler* profiler);
+
+    uint32_t block_;
+    gpu::Buffer<uint32_t> keys_, values_, table_, totals_;
+    gpu::Program program_;
+};
+
+} // namespace onde

@@ -1,0 +1,29 @@
+// A tree's buffers on the device, in any layout.
+#pragma once
+
+#include "accel/bvh.h"
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+
+namespace onde {
+
+/// Uses the tree's memory in place where the device is a CPU: the tree must outlive it. Move-only.
+class DeviceBvh {
+  public:
+    DeviceBvh(const gpu::Device& device, const Bvh& bvh);
+
+    /// Binds the members of BvhView (kernels/trace/bvh_view.h) from argument `first` on; returns
+    /// the next index.
+    uint32_t bind(gpu::Kernel& kernel, uint32_t first) const;
+
+    /// What a walk may read of nodes and leaves.
+    uint64_t bytes() const { return nodes_.size() + leaves_.size(); }
+
+  private:
+    gpu::Buffer<uint8_t> nodes_, leaves_;
+    gpu::Buffer<BvhSphere> spheres_;
+    gpu::Buffer<BvhInstance> instances_;
+    uint32_t root_;
+};
+
+} // namespace onde

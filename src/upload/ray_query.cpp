@@ -1,0 +1,51 @@
+#include "upload/ray_query.h"
+
+namespace onde {
+
+namespace {
+
+constexpr size_t MANY = 1u << 20;
+
+gpu::ProgramRequest request(const Bvh& tree, std::vector<std::string> defines) {
+    std::vector<gpu::KernelShape> kernels{{"closest", 64, MANY}, {"occluded", 64, MANY}};
+    if (tree.layout == BvhLayout::wide)
+        for (const char* name :
+             {"closest_packet", "closest_stream", "closest_interleaved", "occluded_stream"})
+            kernels.push_back({name, 4, MANY});
+    defines.push_back(fmt::format("ONDE_STACK_SIZE={}", tree.stack_size));
+    defines.push_back("ONDE_INSTANCES=0");
+    defines.push_back("ONDE_SPHERES=0");
+    defines.push_back(fmt::format("ONDE_WATERTIGHT={:d}", tree.watertight));
+    defines.push_back(fmt::format("ONDE_BVH_LAYOUT={}", uint32_t(tree.layout)));
+    return {"trace/query.cl", std::move(defines), std::move(kernels)};
+}
+
+Bvh build(const Geometry& geometry, const BvhOptions& options) {
+    const Placement placement;
+    Bvh bvh = build_bvh({&geometry, 1}, {&placement, 1}, options);
+    compact_bvh(bvh, options.layout);
+    return bvh;
+}
+
+} // namespace
+
+RayQuery::RayQuery(const gpu::Device& device, const gpu::KernelSources& sources,
+                   const gpu::ProgramCache* cache, const Geometry& geometry,
+                   const BvhOptions& options, std::vector<std::string> defines)
+    : device_(device), bvh_(build(geometry, options)), tree_(device, bvh_),
+      program_(gpu::build_program(device, sources, request(bvh_, std::move(defines)), cache)) {}
+
+template <class Result>
+void RayQuery::launch(const char* name, size_t rays_per_item, const QueryRays& set,
+                      const gpu::Buffer<Result>& results) {
+    gpu::Kernel& kernel = program_.kernel(name);
+    kernel.set_from(0, uint32_t(set.rays.size()));
+    kernel.set_from(tree_.bind(kernel, 1), set.rays, results);
+    kernel.launch((set.rays.size() + rays_per_item - 1) / rays_per_item);
+    device_.finish();
+}
+
+template void RayQuery::launch(const char*, size_t, const QueryRays&, const gpu::Buffer<QueryHit>&);
+template void RayQuery::launch(const char*, size_t, const QueryRays&, const gpu::Buffer<uint32_t>&);
+
+} // namespace onde

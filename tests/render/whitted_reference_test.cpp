@@ -1,6 +1,6 @@
 // The chapter's pictures against its recursion in double precision, which shares no code with them.
 #include "render/picture.h"
-#include "support/chapter/judge.h"
+#include "support/chapter/check_picture.h"
 
 #include <iostream>
 
@@ -32,7 +32,7 @@ void compare(const std::string& name, const Scene& scene, glm::uvec2 size, uint3
     options.integrator = IntegratorKind::whitted;
     options.depth = depth;
     const Picture picture = render_by(scene, place_on_device(scene), options);
-    const auto verdict = chapter::judge(picture.image, scene, samples, depth, TOLERANCE);
+    const auto verdict = chapter::check_picture(picture.image, scene, samples, depth, TOLERANCE);
     const std::string sentence =
         fmt::format("{}, {}x{}, {} samples: worst {:.2e} at {}; {:.4f} % on silhouettes, {} wrong",
                     name, size.x, size.y, samples, verdict.worst, verdict.worst_pixel,

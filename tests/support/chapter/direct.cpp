@@ -1,6 +1,6 @@
 // The light that a point gets straight from the sources.
 #include "support/chapter/eye.h"
-#include "support/chapter/way.h"
+#include "support/chapter/ray_history.h"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ using glm::dvec3;
 
 /// The light that a source of strength 1 in that direction sends back to the viewer, over Co.
 dvec3 Tracer::lit(const Surface& at, const dvec3& view, const dvec3& to_sample, double reach,
-                  const Way& way) const {
+                  const RayHistory& way) const {
     const Phong& phong = scene_.materials[at.material].phong;
     const double facing = glm::dot(to_sample, at.normal);
     way.mark(facing > 0);
@@ -26,7 +26,7 @@ dvec3 Tracer::lit(const Surface& at, const dvec3& view, const dvec3& to_sample, 
 }
 
 dvec3 Tracer::lit_by(const AreaLight& light, const Surface& at, const dvec3& view,
-                     const Way& way) const {
+                     const RayHistory& way) const {
     const dvec2 offset = r2_sample(way.sample);
     const dvec3 position(light.position);
     dvec3 edge1(light.edge1), edge2(light.edge2);
@@ -66,7 +66,7 @@ dvec3 Tracer::lit_by(const AreaLight& light, const Surface& at, const dvec3& vie
     return total / double(light.samples * light.samples);
 }
 
-dvec3 Tracer::direct(const Surface& at, const dvec3& view, const Way& way) const {
+dvec3 Tracer::direct(const Surface& at, const dvec3& view, const RayHistory& way) const {
     const Material& material = scene_.materials[at.material];
     const dvec3 own(material.base_color);
     const dvec3 ambient(scene_.whitted.ambient.value_or(scene_.environment.radiance));

@@ -1,7 +1,7 @@
 #include "support/chapter/trace.h"
 
 #include "support/chapter/eye.h"
-#include "support/chapter/way.h"
+#include "support/chapter/ray_history.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -60,7 +60,7 @@ dvec3 Tracer::sum(const dvec3& a, const dvec3& b) const {
 }
 
 std::vector<Tracer::Step> Tracer::steps(const Surface& at, const dvec3& view,
-                                        const Way& way) const {
+                                        const RayHistory& way) const {
     const Material& material = scene_.materials[at.material];
     const Phong& phong = material.phong;
     const double reflection = double(phong.reflection);
@@ -100,7 +100,7 @@ std::vector<Tracer::Step> Tracer::steps(const Surface& at, const dvec3& view,
     return result;
 }
 
-dvec3 Tracer::child(const Step& step, const Surface& from, const Way& way) const {
+dvec3 Tracer::child(const Step& step, const Surface& from, const RayHistory& way) const {
     const Ray ray{from.point, step.direction};
     dvec3 factor = step.factor;
     const double epsilon = double(scene_.whitted.epsilon);
@@ -114,13 +114,13 @@ dvec3 Tracer::child(const Step& step, const Surface& from, const Way& way) const
         if (!counts) return dvec3(0);
     }
     if (!hit) return factor * background();
-    const Way further{way.depth + 1, way.product * factor, step.wavelength, way.sample,
-                      way.structure};
+    const RayHistory further{way.depth + 1, way.product * factor, step.wavelength, way.sample,
+                             way.structure};
     const double falloff = scene_.whitted.distance_falloff ? hit->t * hit->t : 1;
     return factor * colour(*hit, ray, further) / falloff;
 }
 
-dvec3 Tracer::colour(const Surface& at, const Ray& ray, const Way& way) const {
+dvec3 Tracer::colour(const Surface& at, const Ray& ray, const RayHistory& way) const {
     way.mark(at.front);
     const Material& material = scene_.materials[at.material];
     const dvec3 view = -ray.direction;
@@ -135,7 +135,7 @@ Seen Tracer::sample(glm::uvec2 size, const dvec2& film, uint32_t number) const {
     Seen seen;
     const Ray ray = camera_ray(scene_.cameras.at(0), size, film);
     const auto hit = world_.nearest(ray);
-    const Way way{1, dvec3(1), nullptr, number, &seen.structure};
+    const RayHistory way{1, dvec3(1), nullptr, number, &seen.structure};
     way.mark(hit ? hit->primitive : 0);
     seen.colour = hit ? colour(*hit, ray, way) : background();
     return seen;

@@ -28,18 +28,18 @@ class Tracer {
                const glm::dvec2& shift = glm::dvec2(0)) const;
 
   private:
-    struct Way;
+    struct RayHistory;
     struct Step;
     glm::dvec3 background() const;
     glm::dvec3 sum(const glm::dvec3& a, const glm::dvec3& b) const;
-    glm::dvec3 colour(const Surface& at, const Ray& ray, const Way& way) const;
-    glm::dvec3 direct(const Surface& at, const glm::dvec3& view, const Way& way) const;
+    glm::dvec3 colour(const Surface& at, const Ray& ray, const RayHistory& way) const;
+    glm::dvec3 direct(const Surface& at, const glm::dvec3& view, const RayHistory& way) const;
     glm::dvec3 lit(const Surface& at, const glm::dvec3& view, const glm::dvec3& to_sample,
-                   double reach, const Way& way) const;
+                   double reach, const RayHistory& way) const;
     glm::dvec3 lit_by(const AreaLight& light, const Surface& at, const glm::dvec3& view,
-                      const Way& way) const;
-    glm::dvec3 child(const Step& step, const Surface& from, const Way& way) const;
-    std::vector<Step> steps(const Surface& at, const glm::dvec3& view, const Way& way) const;
+                      const RayHistory& way) const;
+    glm::dvec3 child(const Step& step, const Surface& from, const RayHistory& way) const;
+    std::vector<Step> steps(const Surface& at, const glm::dvec3& view, const RayHistory& way) const;
 
     const Scene& scene_;
     World world_;

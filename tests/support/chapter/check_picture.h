@@ -8,7 +8,7 @@
 
 namespace onde::chapter {
 
-struct Comparison {
+struct PictureCheck {
     size_t pixels = 0;
     double worst = 0;        ///< of all pixels that are not on a silhouette
     std::string worst_pixel; ///< where that is, with both colours
@@ -22,7 +22,7 @@ struct Comparison {
 /// recursion. A difference is that of the largest channel, over the recursion's where this is above
 /// 1. A pixel on a silhouette sees another structure (see Seen) from up to a hundredth of a pixel
 /// away.
-Comparison judge(const Image& picture, const Scene& scene, uint32_t samples, uint32_t depth,
-                 double tolerance);
+PictureCheck check_picture(const Image& picture, const Scene& scene, uint32_t samples,
+                           uint32_t depth, double tolerance);
 
 } // namespace onde::chapter

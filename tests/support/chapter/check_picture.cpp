@@ -1,4 +1,4 @@
-#include "support/chapter/judge.h"
+#include "support/chapter/check_picture.h"
 
 #include "support/chapter/trace.h"
 
@@ -31,7 +31,7 @@ struct Comparison {
         return false;
     }
 
-    void compare(glm::uvec2 at, Comparison& into) const {
+    void compare(glm::uvec2 at, PictureCheck& into) const {
         const float* rgb = &picture.pixels[3 * (size_t(at.y) * picture.width + at.x)];
         const dvec3 seen(rgb[0], rgb[1], rgb[2]);
         const Seen expected = tracer.pixel(size(), at, samples);
@@ -55,7 +55,7 @@ struct Comparison {
     }
 };
 
-void join(Comparison& whole, const Comparison& part) {
+void join(PictureCheck& whole, const PictureCheck& part) {
     whole.pixels += part.pixels;
     whole.silhouettes += part.silhouettes;
     whole.wrong += part.wrong;
@@ -66,21 +66,21 @@ void join(Comparison& whole, const Comparison& part) {
 
 } // namespace
 
-Comparison judge(const Image& picture, const Scene& scene, uint32_t samples, uint32_t depth,
-                 double tolerance) {
+PictureCheck check_picture(const Image& picture, const Scene& scene, uint32_t samples,
+                           uint32_t depth, double tolerance) {
     const Comparison comparison{picture, Tracer(scene, depth), samples, tolerance};
     std::atomic<uint32_t> next_row = 0;
-    std::vector<Comparison> parts(std::max(1u, std::thread::hardware_concurrency()));
+    std::vector<PictureCheck> parts(std::max(1u, std::thread::hardware_concurrency()));
     {
         std::vector<std::jthread> threads;
-        for (Comparison& part : parts)
+        for (PictureCheck& part : parts)
             threads.emplace_back([&] {
                 for (uint32_t y; (y = next_row++) < picture.height;)
                     for (uint32_t x = 0; x < picture.width; ++x) comparison.compare({x, y}, part);
             });
     }
-    Comparison whole;
-    for (const Comparison& part : parts) join(whole, part);
+    PictureCheck whole;
+    for (const PictureCheck& part : parts) join(whole, part);
     return whole;
 }
 

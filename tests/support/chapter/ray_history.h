@@ -6,7 +6,7 @@
 namespace onde::chapter {
 
 /// What a ray has behind it.
-struct Tracer::Way {
+struct Tracer::RayHistory {
     uint32_t depth;               ///< of the node at its end; the camera ray's is 1
     glm::dvec3 product;           ///< of all factors
     const Wavelength* wavelength; ///< null: white

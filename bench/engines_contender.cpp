@@ -47,9 +47,8 @@ double error_by_spread(const std::vector<glm::vec3>& values) {
 
 OndeEngine::OndeEngine(const gpu::Device& device, const DeviceScene& scene, const Camera& camera,
                        const FrameOptions& frame, const Variant& variant)
-    : device_(device), options_(onde_options(frame, variant)),
-      integrator_(make_path_integrator(device, gpu::KernelSources::embedded(), nullptr, scene,
-                                       camera, options_)) {}
+    : programs_(device, gpu::KernelSources::embedded()), options_(onde_options(frame, variant)),
+      integrator_(make_path_integrator(programs_, scene, camera, options_)) {}
 
 Frame OndeEngine::render() {
     const uint64_t rays_before = integrator_->ray_counts().total();
@@ -60,7 +59,7 @@ Frame OndeEngine::render() {
 }
 
 Image OndeEngine::picture() const {
-    return integrator_->film().develop(device_);
+    return integrator_->film().develop(programs_.device());
 }
 
 NativeTracer::NativeTracer(const Scene& scene, const FrameOptions& frame, uint32_t threads)

@@ -49,7 +49,7 @@ class OndeEngine : public Contender {
     double compile_seconds() const { return integrator_->build_report().seconds; }
 
   private:
-    const gpu::Device& device_;
+    gpu::Programs programs_;
     RenderOptions options_;
     std::unique_ptr<Integrator> integrator_;
 };

@@ -28,6 +28,7 @@ double median(std::vector<double> values) {
 
 void run(const Options& options) {
     const gpu::Device device = gpu::open_device(options.device);
+    gpu::Programs programs(device, gpu::KernelSources::embedded());
     const Ball balls[] = {{"round", 5, glm::vec3(1)},
                           {"long and flat", 5, {100, 1, 0.01f}},
                           {"many triangles", 8, glm::vec3(1)},
@@ -40,9 +41,8 @@ void run(const Options& options) {
         LeakTrials last[2];
         for (uint32_t i = 0; i < options.repetitions; ++i)
             for (const bool watertight : {false, true}) {
-                last[watertight] =
-                    count_leaks(device, gpu::KernelSources::embedded(), ball.subdivisions,
-                                ball.size, watertight, uint64_t(options.rays / std::size(balls)));
+                last[watertight] = count_leaks(programs, ball.subdivisions, ball.size, watertight,
+                                               uint64_t(options.rays / std::size(balls)));
                 seconds[watertight].push_back(last[watertight].seconds);
             }
         fmt::print("{:<15} {:10} {:12} {:10} {:12} {:8.2f} {:7.0f}%\n", ball.name,

@@ -80,7 +80,7 @@ void print(Contender& c, const Options& options, double first) {
 
 void run(const Options& bench) {
     const gpu::Device device = gpu::open_device(bench.device);
-    const gpu::KernelSources sources = gpu::KernelSources::from(bench.kernels);
+    gpu::Programs programs(device, gpu::KernelSources::from(bench.kernels));
     const Scene scene = random_soup(bench);
     const DeviceScene placed(device, pack_scene(scene));
     RenderOptions options;
@@ -92,8 +92,8 @@ void run(const Options& bench) {
 
     std::vector<Contender> contenders(3);
     const auto context = [&](size_t i) {
-        return IntegratorContext{device, sources,          nullptr, &scene,
-                                 placed, scene.cameras[0], options, &contenders[i].profiler};
+        return IntegratorContext{programs,         &scene,  placed,
+                                 scene.cameras[0], options, &contenders[i].profiler};
     };
     contenders[0].name = "depth buffer";
     contenders[0].integrator = make_depth_buffer(context(0), best_depth_atomics(device.facts()));

@@ -57,12 +57,11 @@ double median(std::vector<double> values) {
 
 class Race {
   public:
-    Race(const gpu::Device& device, const gpu::KernelSources& sources, const Options& options)
-        : device_(device), options_(options),
-          rays_(device, std::span<const float>(random_rays(options.rays))),
-          triangles_(device, std::span<const float>(random_triangles(options.triangles))),
-          nearest_(device, options.rays),
-          program_(gpu::build_program(device, sources, request(options), nullptr)) {}
+    Race(gpu::Programs& programs, const Options& options)
+        : device_(programs.device()), options_(options),
+          rays_(device_, std::span<const float>(random_rays(options.rays))),
+          triangles_(device_, std::span<const float>(random_triangles(options.triangles))),
+          nearest_(device_, options.rays), program_(programs.build(request(options))) {}
 
     void run() {
         trace(contenders_.back());
@@ -132,8 +131,8 @@ class Race {
 
 void run(const Options& options) {
     const gpu::Device device = gpu::open_device(options.device);
-    const gpu::KernelSources sources = gpu::KernelSources::from(options.kernels);
-    Race(device, sources, options).run();
+    gpu::Programs programs(device, gpu::KernelSources::from(options.kernels));
+    Race(programs, options).run();
 }
 
 } // namespace

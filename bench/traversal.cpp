@@ -26,11 +26,10 @@ struct Options {
 };
 
 /// The sets of one model; one in which no ray starts is left out.
-std::vector<SetReport> measure(const Model& model, const gpu::Device& device,
-                               const gpu::KernelSources& sources, const gpu::KernelSources* others,
+std::vector<SetReport> measure(const Model& model, gpu::Programs& programs, gpu::Programs* others,
                                const Options& options) {
     spdlog::info("{}: building trees around {} triangles", model.name, model.triangles.size());
-    OndeTracers onde(device, sources, others, model.geometry(), options.builder);
+    OndeTracers onde(programs, others, model.geometry(), options.builder);
     const EmbreeScene embree(model, RTC_BUILD_QUALITY_HIGH);
     spdlog::info("{}: recording rays", model.name);
     std::vector<SetReport> reports;
@@ -40,7 +39,7 @@ std::vector<SetReport> measure(const Model& model, const gpu::Device& device,
                      set.rays.empty() ? ", left out" : "");
         if (set.rays.empty()) continue;
         reports.push_back({model.name, set.name, model.triangles.size(), set.rays.size(),
-                           race(set, device, embree, onde, options.race)});
+                           race(set, programs.device(), embree, onde, options.race)});
         print_report(reports.back());
     }
     return reports;
@@ -48,17 +47,19 @@ std::vector<SetReport> measure(const Model& model, const gpu::Device& device,
 
 void run(const Options& options) {
     if (!options.json.empty()) check_writable(options.json);
-    const gpu::KernelSources sources = gpu::KernelSources::from(options.kernels);
-    std::optional<gpu::KernelSources> others;
-    if (!options.against.empty()) others = gpu::KernelSources::from(options.against);
+    gpu::KernelSources sources = gpu::KernelSources::from(options.kernels);
+    gpu::KernelSources other_sources = gpu::KernelSources::from(options.against);
     const gpu::Device device = gpu::open_device(options.device);
+    gpu::Programs programs(device, std::move(sources));
+    gpu::Programs others(device, std::move(other_sources));
     const std::vector<Model> models = load_models(options.scenes);
     fmt::print("{}, --bvh {}; Embree {}, quality high, {} threads\n", device.facts().name,
                options.builder == BvhBuilder::high ? "high" : "sah", RTC_VERSION_STRING,
                std::thread::hardware_concurrency());
     std::vector<SetReport> reports;
     for (const Model& model : models) {
-        const auto of_model = measure(model, device, sources, others ? &*others : nullptr, options);
+        const auto of_model =
+            measure(model, programs, options.against.empty() ? nullptr : &others, options);
         reports.insert(reports.end(), of_model.begin(), of_model.end());
     }
     print_summary(reports);

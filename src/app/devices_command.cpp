@@ -107,8 +107,8 @@ struct DevicesRequest {
 void measure(const DevicesRequest& request) {
     set_up_logging(false);
     const gpu::Device device = gpu::open_device(request.device);
-    const gpu::ProgramCache cache;
-    const auto rates = measure_layouts(device, gpu::KernelSources::embedded(), &cache);
+    gpu::Programs programs(device, gpu::KernelSources::embedded(), gpu::ProgramCache());
+    const auto rates = measure_layouts(programs);
     LayoutMemory().remember(device.facts(), fastest_layout(rates));
     if (request.json)
         fmt::print("{}", json_text(rates_json(device.facts(), rates)));

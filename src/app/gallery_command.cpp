@@ -73,19 +73,17 @@ void write_page(const fs::path& page, const std::vector<GalleryWork>& works,
 bool run(const GalleryRequest& request) {
     set_up_logging(false);
     check_request(request.render);
-    const gpu::KernelSources sources = gpu::KernelSources::from(request.render.machine.kernels);
+    gpu::KernelSources sources = request.render.machine.sources();
     const gpu::Device device = gpu::open_device(request.render.machine.device);
+    gpu::Programs programs(device, std::move(sources), request.render.machine.cache());
     std::vector<GalleryWork> works;
     for (const fs::path& file : scene_files(request.scenes))
         works.push_back(load_work(file, request.render.samples, device.facts()));
     check_names(works);
     open_folder(request.folder);
 
-    const gpu::ProgramCache programs;
     const StopOnInterrupt interrupt;
-    const GalleryStudio studio{device, sources,
-                               request.render.machine.no_cache ? nullptr : &programs,
-                               interrupt.requested()};
+    const GalleryStudio studio{programs, interrupt.requested()};
     size_t done = 0;
     for (; done < works.size(); ++done) {
         GalleryWork& work = works[done];

@@ -72,19 +72,17 @@ GalleryWork load_work(const fs::path& file, std::optional<uint32_t> samples,
 }
 
 bool paint(GalleryWork& work, const GalleryStudio& studio, const fs::path& folder) {
-    const BvhOptions tree = resolve_bvh({}, studio.device, studio.sources);
-    const DeviceScene placed(studio.device, pack_scene(work.scene, tree));
-    const IntegratorContext context{studio.device, studio.sources,
-                                    studio.cache,  &work.scene,
-                                    placed,        work.scene.cameras.at(work.options.camera),
-                                    work.options,  nullptr};
+    const BvhOptions tree = resolve_bvh({}, studio.programs);
+    const DeviceScene placed(studio.programs.device(), pack_scene(work.scene, tree));
+    const IntegratorContext context{studio.programs, &work.scene, placed,
+                                    work.scene.cameras.at(work.options.camera), work.options};
     const auto integrator = make_integrator(context);
     ProgressLine line(false);
     const RenderOutcome outcome = render(*integrator, work.options, studio.stop,
                                          [&](const Progress& progress) { line.show(progress); });
     line.finish();
     if (outcome.interrupted) return false;
-    work.picture = integrator->film().develop(studio.device);
+    work.picture = integrator->film().develop(studio.programs.device());
     for (const std::string& finding : integrator->findings())
         work.entry.findings.push_back(finding);
     work.entry.facts = facts_text(work.options, outcome);

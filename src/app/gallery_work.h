@@ -21,10 +21,8 @@ struct GalleryWork {
 
 /// What all works of a gallery are made with; the referenced objects outlive it.
 struct GalleryStudio {
-    const gpu::Device& device;
-    const gpu::KernelSources& sources;
-    const gpu::ProgramCache* cache; ///< null: kernels are compiled anew
-    const std::atomic<bool>& stop;  ///< true from Ctrl-C on
+    gpu::Programs& programs;
+    const std::atomic<bool>& stop; ///< true from Ctrl-C on
 };
 
 /// Loads the scene; `samples` per pixel instead of its own where given. Throws InputError or

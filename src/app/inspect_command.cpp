@@ -35,17 +35,15 @@ void run(const InspectRequest& request) {
     check_request(request.render);
     const PixelSample at = parse_pixel(request);
     if (!request.dot.empty()) check_writable(request.dot);
-    const gpu::KernelSources sources = gpu::KernelSources::from(request.render.machine.kernels);
+    gpu::KernelSources sources = request.render.machine.sources();
     const gpu::Device device = gpu::open_device(request.render.machine.device);
+    gpu::Programs programs(device, std::move(sources), request.render.machine.cache());
     const Scene scene = load_requested_scene(request.render);
     const RenderOptions options = resolve_options(request.render, scene, device.facts());
-    const BvhOptions tree = resolve_bvh(request.render, device, sources);
+    const BvhOptions tree = resolve_bvh(request.render, programs);
     const DeviceScene placed(device, pack_scene(scene, tree));
-    const gpu::ProgramCache cache;
-    const IntegratorContext context{
-        device,  sources, request.render.machine.no_cache ? nullptr : &cache,
-        &scene,  placed,  scene.cameras.at(options.camera),
-        options, nullptr};
+    const IntegratorContext context{programs, &scene, placed, scene.cameras.at(options.camera),
+                                    options};
     std::string words, dot;
     if (options.integrator == IntegratorKind::whitted) {
         const TreeReport report = inspect_whitted(context, at);

@@ -50,20 +50,19 @@ Scene one_rectangle() {
 class Prewarmer {
   public:
     explicit Prewarmer(const std::string& device)
-        : device_(gpu::open_device(device)), sources_(gpu::KernelSources::embedded()) {
-        if (cache_.folder().empty())
+        : device_(gpu::open_device(device)),
+          programs_(device_, gpu::KernelSources::embedded(), gpu::ProgramCache()) {
+        if (gpu::ProgramCache::default_folder().empty())
             throw InputError("there is no folder for compiled kernels; set ONDE_CACHE_DIR");
     }
 
-    PackedScene pack(const Scene& scene) const {
-        return pack_scene(scene, resolve_bvh({}, device_, sources_));
-    }
+    PackedScene pack(const Scene& scene) { return pack_scene(scene, resolve_bvh({}, programs_)); }
 
-    void compile(const std::string& name, const Scene& scene, PackedScene packed) const {
+    void compile(const std::string& name, const Scene& scene, PackedScene packed) {
         const RenderOptions options = resolve_options({}, scene, device_.facts());
         const DeviceScene device_scene(device_, std::move(packed));
-        const auto integrator = make_path_integrator(device_, sources_, &cache_, device_scene,
-                                                     scene.cameras.front(), options);
+        const auto integrator =
+            make_path_integrator(programs_, device_scene, scene.cameras.front(), options);
         const gpu::BuildReport& report = integrator->build_report();
         fmt::print("{:<26} {} in {:.2f} s\n", name,
                    report.from_cache ? "was there, loaded" : "compiled", report.seconds);
@@ -72,14 +71,13 @@ class Prewarmer {
 
   private:
     gpu::Device device_;
-    gpu::KernelSources sources_;
-    gpu::ProgramCache cache_;
+    gpu::Programs programs_;
 };
 
 } // namespace
 
 void prewarm(const std::vector<std::string>& scenes, const std::string& device) {
-    const Prewarmer prewarmer(device);
+    Prewarmer prewarmer(device);
     for (const std::string& path : scenes) {
         const Scene scene = load_scene(path);
         prewarmer.compile(path, scene, prewarmer.pack(scene));

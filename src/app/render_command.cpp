@@ -90,8 +90,9 @@ bool run(const RenderRequest& request) {
     RenderReport report;
     check_request(request);
     const auto outputs = resolve_outputs(request);
-    const gpu::KernelSources sources = gpu::KernelSources::from(request.machine.kernels);
+    gpu::KernelSources sources = request.machine.sources();
     const gpu::Device device = gpu::open_device(request.machine.device);
+    gpu::Programs programs(device, std::move(sources), request.machine.cache());
     const Timer loading;
     const Scene scene = load(request);
     report.load_seconds = loading.seconds();
@@ -105,7 +106,7 @@ bool run(const RenderRequest& request) {
     check_memory(plan, device.facts());
 
     const Timer packing;
-    PackedScene packed = pack_scene(scene, resolve_bvh(request, device, sources));
+    PackedScene packed = pack_scene(scene, resolve_bvh(request, programs));
     plan.scene = packed.device_buffers();
     check_memory(plan, device.facts());
     const DeviceScene device_scene(device, std::move(packed));
@@ -114,17 +115,11 @@ bool run(const RenderRequest& request) {
     report.bvh = device_scene.packed().bvh.statistics;
     report.scene_bytes = total_bytes(plan.scene);
 
-    const gpu::ProgramCache cache;
     gpu::Profiler profiler;
     const bool profiled = request.stats || !request.json.empty();
-    const IntegratorContext context{device,
-                                    sources,
-                                    request.machine.no_cache ? nullptr : &cache,
-                                    &scene,
-                                    device_scene,
-                                    scene.cameras[report.options.camera],
-                                    report.options,
-                                    profiled ? &profiler : nullptr};
+    const IntegratorContext context{programs,       &scene,
+                                    device_scene,   scene.cameras[report.options.camera],
+                                    report.options, profiled ? &profiler : nullptr};
     const auto integrator = make_integrator(context);
     report.kernels = integrator->build_report();
     report.state_bytes = integrator->state_bytes();

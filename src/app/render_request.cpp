@@ -236,10 +236,9 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
     return options;
 }
 
-BvhOptions resolve_bvh(const RenderRequest& request, const gpu::Device& device,
-                       const gpu::KernelSources& sources) {
+BvhOptions resolve_bvh(const RenderRequest& request, gpu::Programs& programs) {
     BvhOptions options = request.bvh;
-    options.layout = request.layout ? *request.layout : suitable_layout(device, sources);
+    options.layout = request.layout ? *request.layout : suitable_layout(programs);
     return options;
 }
 

@@ -20,6 +20,11 @@ struct MachineRequest {
     std::string device;
     std::filesystem::path kernels; ///< empty: the ones inside the program
     bool no_cache = false;
+
+    gpu::KernelSources sources() const { return gpu::KernelSources::from(kernels); }
+    std::optional<gpu::ProgramCache> cache() const {
+        return no_cache ? std::nullopt : std::optional<gpu::ProgramCache>(std::in_place);
+    }
 };
 
 struct RenderRequest {
@@ -66,8 +71,7 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
                               const gpu::DeviceFacts& facts);
 
 /// How the tree is built and laid out for the device, on which layouts may be measured first.
-BvhOptions resolve_bvh(const RenderRequest& request, const gpu::Device& device,
-                       const gpu::KernelSources& sources);
+BvhOptions resolve_bvh(const RenderRequest& request, gpu::Programs& programs);
 
 /// The word of `--integrator`.
 const std::string& integrator_name(IntegratorKind kind);

@@ -45,8 +45,9 @@ void check_size(const SphereVolume& sphere) {
 void run(const VolumesRequest& request) {
     set_up_logging(false);
     check(request);
-    const gpu::KernelSources sources = gpu::KernelSources::from(request.machine.kernels);
+    gpu::KernelSources sources = request.machine.sources();
     const gpu::Device device = gpu::open_device(request.machine.device);
+    gpu::Programs programs(device, std::move(sources), request.machine.cache());
     const Scene scene = load_scene(request.scene);
     const TriangleSoup object = scene_triangles(scene);
     if (const size_t left_out = scene.spheres.size() + scene.shapes.size())
@@ -54,12 +55,8 @@ void run(const VolumesRequest& request) {
                      left_out);
     const FittedVolumes volumes = fit_volumes(object.positions);
     check_size(volumes.sphere);
-    const gpu::ProgramCache programs;
-    const gpu::ProgramCache* cache = request.machine.no_cache ? nullptr : &programs;
-    VolumeTester tester(device, sources, cache, volumes,
-                        gpu::default_settings(device.facts()).width);
-    const LabReport report =
-        run_laboratory(device, sources, cache, object, volumes, tester, request.rays);
+    VolumeTester tester(programs, volumes, gpu::default_settings(device.facts()).width);
+    const LabReport report = run_laboratory(programs, object, volumes, tester, request.rays);
     fmt::print("{}", lab_text(report));
     if (request.trials > 0)
         fmt::print("{}",

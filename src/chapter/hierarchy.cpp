@@ -71,9 +71,9 @@ const char* builder_name(BvhBuilder builder) {
     return "SAH, 16 wide";
 }
 
-HierarchyReport measure_hierarchy(const gpu::Device& device, const gpu::KernelSources& sources,
-                                  const gpu::ProgramCache* cache, const TriangleSoup& object,
+HierarchyReport measure_hierarchy(gpu::Programs& programs, const TriangleSoup& object,
                                   BvhBuilder builder, std::span<const VolumeRay> rays) {
+    const gpu::Device& device = programs.device();
     const Geometry geometry{object.positions, object.triangles, {}, 0};
     const Placement placement;
     const Bvh bvh = build_bvh({&geometry, 1}, {&placement, 1}, {.builder = builder});
@@ -83,7 +83,7 @@ HierarchyReport measure_hierarchy(const gpu::Device& device, const gpu::KernelSo
     gpu::ProgramRequest counting{"chapter/traversal_cost.cl", defines(bvh), {}};
     counting.defines.push_back("ONDE_TRAVERSAL_COST=1");
     counting.kernels.push_back({"count_tests", LOCAL_SIZE, rays.size()});
-    gpu::Program counter = gpu::build_program(device, sources, counting, cache);
+    gpu::Program counter = programs.build(counting);
     const gpu::Buffer<uint32_t> tests(device, 3 * rays.size());
     tree.trace(counter.kernel("count_tests"), tests);
     const std::vector<uint32_t> counts = tests.read(device);
@@ -93,13 +93,11 @@ HierarchyReport measure_hierarchy(const gpu::Device& device, const gpu::KernelSo
         report.hits += counts[3 * i + 2];
     }
 
-    gpu::Program tracer = gpu::build_program(device, sources,
-                                             {"trace/query.cl",
-                                              defines(bvh),
-                                              {{"closest", LOCAL_SIZE, rays.size()},
-                                               {"closest_packet", 4, rays.size()},
-                                               {"occluded", LOCAL_SIZE, rays.size()}}},
-                                             cache);
+    gpu::Program tracer = programs.build({"trace/query.cl",
+                                          defines(bvh),
+                                          {{"closest", LOCAL_SIZE, rays.size()},
+                                           {"closest_packet", 4, rays.size()},
+                                           {"occluded", LOCAL_SIZE, rays.size()}}});
     const gpu::Buffer<uint32_t> hits(device, 5 * rays.size());
     std::vector<double> seconds;
     for (size_t i = 0; i < RUNS; ++i) {

@@ -25,8 +25,7 @@ struct HierarchyReport {
     double ns_per_ray() const { return rays ? 1e9 * seconds / double(rays) : 0; }
 };
 
-HierarchyReport measure_hierarchy(const gpu::Device& device, const gpu::KernelSources& sources,
-                                  const gpu::ProgramCache* cache, const TriangleSoup& object,
+HierarchyReport measure_hierarchy(gpu::Programs& programs, const TriangleSoup& object,
                                   BvhBuilder builder, std::span<const VolumeRay> rays);
 
 } // namespace onde

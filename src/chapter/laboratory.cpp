@@ -23,8 +23,7 @@ double median_ns(VolumeTester& tester, VolumeKind kind, const VolumeRays& rays) 
 
 } // namespace
 
-LabReport run_laboratory(const gpu::Device& device, const gpu::KernelSources& sources,
-                         const gpu::ProgramCache* cache, const TriangleSoup& object,
+LabReport run_laboratory(gpu::Programs& programs, const TriangleSoup& object,
                          const FittedVolumes& volumes, VolumeTester& tester, uint32_t rays) {
     const glm::vec3 center(volumes.sphere.center[0], volumes.sphere.center[1],
                            volumes.sphere.center[2]);
@@ -35,12 +34,11 @@ LabReport run_laboratory(const gpu::Device& device, const gpu::KernelSources& so
     for (const BvhBuilder builder : BUILDERS) {
         const auto some = std::span(lines).first(
             builder == BvhBuilder::none ? size_t(report.flat_rays) : lines.size());
-        report.hierarchies.push_back(
-            measure_hierarchy(device, sources, cache, object, builder, some));
+        report.hierarchies.push_back(measure_hierarchy(programs, object, builder, some));
     }
     report.hits = report.hierarchies.back().hits;
 
-    const VolumeRays on_device(device, lines);
+    const VolumeRays on_device(programs.device(), lines);
     for (const VolumeKind kind : VOLUME_KINDS) {
         const std::vector<uint32_t> met = tester.met(kind, on_device);
         VolumeReport volume{kind, measure_volume(volumes, kind)};

@@ -24,8 +24,7 @@ struct LabReport {
 };
 
 /// `rays` lines that meet a ball of 1.5 times the radius of the object's smallest sphere.
-LabReport run_laboratory(const gpu::Device& device, const gpu::KernelSources& sources,
-                         const gpu::ProgramCache* cache, const TriangleSoup& object,
+LabReport run_laboratory(gpu::Programs& programs, const TriangleSoup& object,
                          const FittedVolumes& volumes, VolumeTester& tester, uint32_t rays);
 
 } // namespace onde

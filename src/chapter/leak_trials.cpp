@@ -53,16 +53,16 @@ TriangleSoup closed_ball(uint32_t subdivisions, glm::vec3 size) {
     return soup;
 }
 
-LeakTrials count_leaks(const gpu::Device& device, const gpu::KernelSources& sources,
-                       uint32_t subdivisions, glm::vec3 size, bool watertight, uint64_t rays) {
+LeakTrials count_leaks(gpu::Programs& programs, uint32_t subdivisions, glm::vec3 size,
+                       bool watertight, uint64_t rays) {
+    const gpu::Device& device = programs.device();
     constexpr uint64_t MOST_ITEMS = 1u << 14;
     const TriangleSoup ball = closed_ball(subdivisions, size);
     const Geometry geometry{ball.positions, ball.triangles, {}, 0};
     const Placement placement;
     const Bvh bvh = build_bvh({&geometry, 1}, {&placement, 1}, {.watertight = watertight});
     const uint64_t items = (rays + RAYS_OF_ITEM - 1) / RAYS_OF_ITEM;
-    gpu::Program program =
-        gpu::build_program(device, sources, request(bvh, std::min(items, MOST_ITEMS)), nullptr);
+    gpu::Program program = programs.build(request(bvh, std::min(items, MOST_ITEMS)));
 
     const DeviceBvh tree(device, bvh);
     const gpu::Buffer<glm::vec3> positions(device, std::span<const glm::vec3>(ball.positions));

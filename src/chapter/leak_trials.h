@@ -18,7 +18,7 @@ struct LeakTrials {
 
 /// Shoots at least `rays` rays from inside closed_ball(subdivisions, size) at random points of its
 /// edges, and at its corners, half and half. Any that hits nothing is a leak.
-LeakTrials count_leaks(const gpu::Device& device, const gpu::KernelSources& sources,
-                       uint32_t subdivisions, glm::vec3 size, bool watertight, uint64_t rays);
+LeakTrials count_leaks(gpu::Programs& programs, uint32_t subdivisions, glm::vec3 size,
+                       bool watertight, uint64_t rays);
 
 } // namespace onde

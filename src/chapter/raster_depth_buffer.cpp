@@ -25,13 +25,13 @@ class DepthBuffer : public Integrator {
   public:
     DepthBuffer(const IntegratorContext& c, DepthAtomics atomics)
         : context_(checked(c)), options_(c.options), scene_(c), atomics_(atomics),
-          film_(c.device, options_.width, options_.height), nearest_(c.device, pixels()),
-          large_(c.device, 1 + std::min(scene_.primitives(), PRIMITIVES_PER_LAUNCH)),
+          film_(c.device(), options_.width, options_.height), nearest_(c.device(), pixels()),
+          large_(c.device(), 1 + std::min(scene_.primitives(), PRIMITIVES_PER_LAUNCH)),
           program_(build_raster(
               c, "depth_buffer.cl",
               {{"clear_depth", shares(pixels(), chunk())},
                {"draw_small", shares(large_.size(), chunk())},
-               {"draw_large", shares(options_.height, rows_per_band(c.device.facts()))},
+               {"draw_large", shares(options_.height, rows_per_band(c.device().facts()))},
                {"resolve_depth", shares(pixels(), chunk())}},
               {fmt::format("ONDE_DEPTH_ATOMICS64={:d}", atomics == DepthAtomics::wide)})) {}
 
@@ -60,7 +60,7 @@ class DepthBuffer : public Integrator {
     }
     uint32_t pixels() const { return options_.width * options_.height; }
     uint32_t chunk() const { return options_.settings.chunk; }
-    const gpu::DeviceFacts& facts() const { return context_.device.facts(); }
+    const gpu::DeviceFacts& facts() const { return context_.device().facts(); }
 
     /// Returns whether it was drawn to its end; else it is not on the film.
     bool draw_sample(const std::function<bool()>& keep_going) {
@@ -85,7 +85,7 @@ class DepthBuffer : public Integrator {
     void draw(uint32_t first, uint32_t phase) {
         const uint32_t zero = 0;
         const uint32_t count = std::min(scene_.primitives() - first, PRIMITIVES_PER_LAUNCH);
-        large_.write(context_.device, std::span(&zero, 1));
+        large_.write(context_.device(), std::span(&zero, 1));
         gpu::Kernel& small = program_.kernel("draw_small");
         small.set_from(0, count, chunk());
         small.set_from(scene_.bind(small, 2), first, most_small_pixels(facts()), large_, nearest_,
@@ -98,7 +98,7 @@ class DepthBuffer : public Integrator {
         large.set_from(0, bands, band);
         large.set_from(scene_.bind(large, 2), large_, nearest_, phase);
         large.launch(bands, context_.profiler);
-        context_.device.finish();
+        context_.device().finish();
     }
 
     void resolve() {
@@ -107,7 +107,7 @@ class DepthBuffer : public Integrator {
         const uint32_t next = kernel.set_from(scene_.bind_scene(kernel, 1), chunk());
         kernel.set_from(scene_.bind(kernel, next), nearest_, film_.sums());
         kernel.launch(shares(pixels(), chunk()), context_.profiler);
-        context_.device.finish();
+        context_.device().finish();
     }
 
     IntegratorContext context_;

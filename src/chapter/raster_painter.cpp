@@ -23,11 +23,11 @@ class TilePainter : public Painter {
   public:
     TilePainter(const IntegratorContext& c, uint32_t most_entries)
         : context_(checked(c)), options_(c.options), scene_(c),
-          film_(c.device, options_.width, options_.height),
-          tiles_(c.device, scene_.record(), most_entries), canvas_(c.device, pixels()),
-          statistics_(c.device, 4), keys_(c.device, scene_.primitives()),
-          order_(c.device, scene_.primitives()),
-          sort_(c.device, c.sources, c.cache, scene_.primitives(), c.options.settings.local_size),
+          film_(c.device(), options_.width, options_.height),
+          tiles_(c.device(), scene_.record(), most_entries), canvas_(c.device(), pixels()),
+          statistics_(c.device(), 4), keys_(c.device(), scene_.primitives()),
+          order_(c.device(), scene_.primitives()),
+          sort_(c.programs, scene_.primitives(), c.options.settings.local_size),
           program_(build_raster(c, "painter.cl",
                                 {{"depth_keys", shares(scene_.primitives(), chunk())},
                                  {"find_tiles", shares(scene_.primitives(), chunk())},
@@ -37,7 +37,7 @@ class TilePainter : public Painter {
                                  {"clear_canvas", shares(pixels(), chunk())},
                                  {"paint_tiles", paint_items()},
                                  {"resolve_canvas", shares(pixels(), chunk())}})) {
-        statistics_.fill(c.device, 0u);
+        statistics_.fill(c.device(), 0u);
         report_ = program_.report();
         report_.seconds += sort_.build_report().seconds;
         report_.from_cache &= sort_.build_report().from_cache;
@@ -63,7 +63,7 @@ class TilePainter : public Painter {
     }
 
     PaintCounts counts() const override {
-        const std::vector<uint32_t> words = statistics_.read(context_.device);
+        const std::vector<uint32_t> words = statistics_.read(context_.device());
         return {uint64_t(words[1]) << 32 | words[0], uint64_t(words[3]) << 32 | words[2]};
     }
 
@@ -84,7 +84,7 @@ class TilePainter : public Painter {
     }
     uint32_t pixels() const { return options_.width * options_.height; }
     uint32_t chunk() const { return options_.settings.chunk; }
-    uint32_t rows() const { return rows_per_item(context_.device.facts()); }
+    uint32_t rows() const { return rows_per_item(context_.device().facts()); }
     uint32_t paint_items() const { return tiles_.count() * (RasterTiles::TILE / rows()); }
 
     /// The order does not depend on the sample.
@@ -113,7 +113,7 @@ class TilePainter : public Painter {
         gpu::Kernel& resolve = program_.kernel("resolve_canvas");
         resolve.set_from(0, pixels(), chunk(), canvas_, film_.sums(), statistics_);
         resolve.launch(shares(pixels(), chunk()), context_.profiler);
-        context_.device.finish();
+        context_.device().finish();
         return true;
     }
 
@@ -124,7 +124,7 @@ class TilePainter : public Painter {
         kernel.set_from(scene_.bind(kernel, next), tiles_.across(), tiles_.begins(), tiles_.lists(),
                         canvas_);
         kernel.launch(paint_items(), context_.profiler);
-        context_.device.finish();
+        context_.device().finish();
     }
 
     IntegratorContext context_;

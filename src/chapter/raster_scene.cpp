@@ -19,14 +19,15 @@ float sample_offset(uint32_t sample, uint32_t step) {
 
 RasterScene::RasterScene(const IntegratorContext& c)
     : scene_(c.scene), packed_(pack_raster(*c.description, c.camera, c.options)),
-      frame_(c.device, 1), record_(c.device, std::span<const RasterRecord>(&packed_.record, 1)),
-      instances_(copy(c.device, packed_.instances)), positions_(copy(c.device, packed_.positions)),
-      triangles_(copy(c.device, packed_.triangles)),
-      triangle_materials_(copy(c.device, packed_.triangle_materials)),
-      spheres_(copy(c.device, packed_.spheres)), materials_(copy(c.device, packed_.materials)),
-      uvs_(copy(c.device, packed_.uvs)) {
+      frame_(c.device(), 1), record_(c.device(), std::span<const RasterRecord>(&packed_.record, 1)),
+      instances_(copy(c.device(), packed_.instances)),
+      positions_(copy(c.device(), packed_.positions)),
+      triangles_(copy(c.device(), packed_.triangles)),
+      triangle_materials_(copy(c.device(), packed_.triangle_materials)),
+      spheres_(copy(c.device(), packed_.spheres)), materials_(copy(c.device(), packed_.materials)),
+      uvs_(copy(c.device(), packed_.uvs)) {
     const FrameRecord frame = make_frame(c.scene.packed(), c.camera, c.options);
-    frame_.write(c.device, std::span(&frame, 1));
+    frame_.write(c.device(), std::span(&frame, 1));
 }
 
 void RasterScene::set_sample(uint32_t sample) {
@@ -55,12 +56,12 @@ gpu::Program build_raster(const IntegratorContext& context, const std::string& f
                           const std::vector<std::pair<std::string, size_t>>& kernels,
                           const std::vector<std::string>& more_defines) {
     gpu::ProgramRequest request;
-    request.file = "raster/" + file;
+    request.file = "chapter/raster/" + file;
     request.defines = context.scene.packed().features.defines();
     request.defines.insert(request.defines.end(), more_defines.begin(), more_defines.end());
     for (const auto& [name, items] : kernels)
         request.kernels.push_back({name, context.options.settings.local_size, items});
-    return gpu::build_program(context.device, context.sources, request, context.cache);
+    return context.programs.build(request);
 }
 
 } // namespace onde

@@ -39,8 +39,8 @@ class RasterScene {
     float offset_x_ = 0.5f, offset_y_ = 0.5f;
 };
 
-/// The program kernels/raster/`file` for the scene: kernels by name, with the most work items that
-/// a launch of each will have.
+/// The program kernels/chapter/raster/`file` for the scene: kernels by name, with the most work
+/// items that a launch of each will have.
 gpu::Program build_raster(const IntegratorContext& context, const std::string& file,
                           const std::vector<std::pair<std::string, size_t>>& kernels,
                           const std::vector<std::string>& more_defines = {});

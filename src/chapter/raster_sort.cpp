@@ -20,17 +20,16 @@ uint32_t blocks_of(uint32_t count, uint32_t block) {
 
 } // namespace
 
-RadixSort::RadixSort(const gpu::Device& device, const gpu::KernelSources& sources,
-                     const gpu::ProgramCache* cache, uint32_t capacity, uint32_t local_size)
-    : block_(block_size(device.facts())), keys_(device, capacity), values_(device, capacity),
-      table_(device, size_t(blocks_of(capacity, block_)) * DIGITS), totals_(device, DIGITS),
-      program_(gpu::build_program(device, sources,
-                                  {"chapter/raster/radix_sort.cl",
-                                   {},
-                                   {{"count_digits", local_size, blocks_of(capacity, block_)},
-                                    {"scan_columns", local_size, DIGITS},
-                                    {"move_pairs", local_size, blocks_of(capacity, block_)}}},
-                                  cache)) {}
+RadixSort::RadixSort(gpu::Programs& programs, uint32_t capacity, uint32_t local_size)
+    : block_(block_size(programs.device().facts())), keys_(programs.device(), capacity),
+      values_(programs.device(), capacity),
+      table_(programs.device(), size_t(blocks_of(capacity, block_)) * DIGITS),
+      totals_(programs.device(), DIGITS),
+      program_(programs.build({"chapter/raster/radix_sort.cl",
+                               {},
+                               {{"count_digits", local_size, blocks_of(capacity, block_)},
+                                {"scan_columns", local_size, DIGITS},
+                                {"move_pairs", local_size, blocks_of(capacity, block_)}}})) {}
 
 void RadixSort::sort(const gpu::Buffer<uint32_t>& keys, const gpu::Buffer<uint32_t>& values,
                      uint32_t count, gpu::Profiler* profiler) {

@@ -9,9 +9,8 @@ namespace onde {
 
 class RadixSort {
   public:
-    /// For up to `capacity` pairs. The device outlives it.
-    RadixSort(const gpu::Device& device, const gpu::KernelSources& sources,
-              const gpu::ProgramCache* cache, uint32_t capacity, uint32_t local_size);
+    /// For up to `capacity` pairs. The programs outlive it.
+    RadixSort(gpu::Programs& programs, uint32_t capacity, uint32_t local_size);
 
     /// Queues the sort of the first `count` keys, ascending, with their values; pairs of equal keys
     /// stay in their order.

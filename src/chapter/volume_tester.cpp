@@ -68,13 +68,11 @@ VolumeRays::VolumeRays(const gpu::Device& device, std::span<const VolumeRay> ray
       columns_(device,
                std::span<const float>(rays.empty() ? std::vector<float>() : columns_of(rays))) {}
 
-VolumeTester::VolumeTester(const gpu::Device& device, const gpu::KernelSources& sources,
-                           const gpu::ProgramCache* cache, const FittedVolumes& volumes,
-                           uint32_t width)
-    : device_(device), boxes_(copies_of(device, volumes.box)),
-      oriented_boxes_(copies_of(device, volumes.oriented_box)),
-      slabs_(copies_of(device, volumes.slabs)), spheres_(copies_of(device, volumes.sphere)),
-      program_(gpu::build_program(device, sources, request(width), cache)) {}
+VolumeTester::VolumeTester(gpu::Programs& programs, const FittedVolumes& volumes, uint32_t width)
+    : device_(programs.device()), boxes_(copies_of(device_, volumes.box)),
+      oriented_boxes_(copies_of(device_, volumes.oriented_box)),
+      slabs_(copies_of(device_, volumes.slabs)), spheres_(copies_of(device_, volumes.sphere)),
+      program_(programs.build(request(width))) {}
 
 void VolumeTester::launch(VolumeKind kind, const VolumeRays& rays, uint32_t copies,
                           const gpu::Buffer<uint32_t>& met) {

@@ -52,9 +52,8 @@ class VolumeRays {
 
 class VolumeTester {
   public:
-    /// `width` lanes: 1, 8 or 16. A null cache: kernels are compiled anew. The device outlives it.
-    VolumeTester(const gpu::Device& device, const gpu::KernelSources& sources,
-                 const gpu::ProgramCache* cache, const FittedVolumes& volumes, uint32_t width);
+    /// `width` lanes: 1, 8 or 16. The programs outlive it.
+    VolumeTester(gpu::Programs& programs, const FittedVolumes& volumes, uint32_t width);
 
     /// For each ray whether it meets the volume: 1 or 0.
     std::vector<uint32_t> met(VolumeKind kind, const VolumeRays& rays);

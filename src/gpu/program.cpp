@@ -76,25 +76,32 @@ void warm(const Device& device, const cl::Program& program, const KernelShape& s
             });
 }
 
-std::vector<Kernel> warm_kernels(const Device& device, const cl::Program& program,
-                                 const std::vector<KernelShape>& shapes) {
+void warm(const Device& device, const cl::Program& program,
+          const std::vector<KernelShape>& shapes) {
     for (const KernelShape& shape : shapes) warm(device, program, shape);
     device.finish();
+}
+
+std::vector<Kernel> make_kernels(const Device& device, const cl::Program& program,
+                                 const std::vector<KernelShape>& shapes) {
     std::vector<Kernel> kernels;
     for (const KernelShape& shape : shapes)
-        kernels.emplace_back(cl::Kernel(program, shape.name.c_str()), shape, device);
+        kernels.push_back(checked(fmt::format("kernel {} cannot be made", shape.name), [&] {
+            return Kernel(cl::Kernel(program, shape.name.c_str()), shape, device);
+        }));
     return kernels;
 }
 
-/// The kernels of a cached binary; nothing when this driver does not take it.
-std::optional<std::vector<Kernel>> load_binary(const Device& device, const std::string& binary,
-                                               const std::string& options,
-                                               const std::vector<KernelShape>& shapes) {
+/// A cached binary, warmed; nothing when this driver does not take it.
+std::optional<cl::Program> load_binary(const Device& device, const std::string& binary,
+                                       const std::string& options,
+                                       const std::vector<KernelShape>& shapes) {
     try {
         const std::vector<unsigned char> bytes(binary.begin(), binary.end());
         cl::Program program(device.context(), {device.raw()}, {bytes});
         program.build({device.raw()}, options.c_str());
-        return warm_kernels(device, program, shapes);
+        warm(device, program, shapes);
+        return program;
     } catch (const cl::Error&) {
         return std::nullopt;
     } catch (const DeviceError&) {
@@ -125,19 +132,29 @@ std::vector<std::string> device_options(const DeviceFacts& facts) {
     return options;
 }
 
-Program build_program(const Device& device, const KernelSources& sources,
-                      const ProgramRequest& request, const ProgramCache* cache) {
+Programs::Programs(const Device& device, KernelSources sources, std::optional<ProgramCache> cache)
+    : device_(device), sources_(std::move(sources)), cache_(std::move(cache)) {}
+
+Program Programs::build(const ProgramRequest& request) {
     const Timer timer;
-    const std::string source = sources.flatten(request.file);
-    const std::string options = join_options(device.facts(), request);
-    const std::string key = cache_key(device.facts(), source, options, request.kernels);
-    if (const auto binary = cache ? cache->load(key) : std::nullopt)
-        if (auto kernels = load_binary(device, *binary, options, request.kernels))
-            return Program(std::move(*kernels), {timer.seconds(), true});
-    const cl::Program program = compile(device, request.file, source, options);
-    std::vector<Kernel> kernels = warm_kernels(device, program, request.kernels);
-    if (cache) store_binary(*cache, key, program);
-    return Program(std::move(kernels), {timer.seconds(), false});
+    const std::string source = sources_.flatten(request.file);
+    const std::string options = join_options(device_.facts(), request);
+    const std::string key = cache_key(device_.facts(), source, options, request.kernels);
+    bool compiled = false;
+    if (!built_.contains(key)) {
+        std::optional<cl::Program> program;
+        if (const auto binary = cache_ ? cache_->load(key) : std::nullopt)
+            program = load_binary(device_, *binary, options, request.kernels);
+        compiled = !program;
+        if (compiled) {
+            program = compile(device_, request.file, source, options);
+            warm(device_, *program, request.kernels);
+            if (cache_) store_binary(*cache_, key, *program);
+        }
+        built_.emplace(key, *program);
+    }
+    return Program(make_kernels(device_, built_.at(key), request.kernels),
+                   {timer.seconds(), !compiled});
 }
 
 } // namespace onde::gpu

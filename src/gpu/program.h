@@ -6,6 +6,7 @@
 #include "gpu/profiler.h"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,8 +57,8 @@ struct ProgramRequest {
 };
 
 struct BuildReport {
-    double seconds = 0; ///< everything: flatten, compile or load, first launches
-    bool from_cache = false;
+    double seconds = 0;      ///< everything: flatten, compile or load, first launches
+    bool from_cache = false; ///< nothing was compiled
 };
 
 /// A kernel with its constant local size. Copyable handle; arguments belong to the handle's kernel.
@@ -127,11 +128,31 @@ class ProgramCache {
     std::filesystem::path folder_;
 };
 
-/// Compiles (or loads from `cache`, if not null) the program and launches each kernel once, empty,
-/// at its local size, before a binary is taken. The one function that turns device facts into -D
-/// options is device_options(). Throws DeviceError with the build log, which names our files.
-Program build_program(const Device& device, const KernelSources& sources,
-                      const ProgramRequest& request, const ProgramCache* cache);
+/// The programs of one device: where their text comes from, where binaries are kept, and all that
+/// were built so far. For one thread at a time.
+class Programs {
+  public:
+    /// Without a cache, binaries are neither read from disk nor kept there. The device outlives it.
+    Programs(const Device& device, KernelSources sources, std::optional<ProgramCache> cache = {});
+    Programs(const Programs&) = delete;
+    Programs& operator=(const Programs&) = delete;
+
+    const Device& device() const { return device_; }
+
+    /// Compiles or loads the program and launches each kernel once, empty, at its local size,
+    /// before a binary is taken. What was built before from the same text and options gives kernel
+    /// objects of its own at once. Throws DeviceError with the build log, which names our files.
+    Program build(const ProgramRequest& request);
+
+    /// How many programs were compiled or loaded so far.
+    size_t built() const { return built_.size(); }
+
+  private:
+    const Device& device_;
+    KernelSources sources_;
+    std::optional<ProgramCache> cache_;
+    std::map<std::string, cl::Program> built_; ///< by cache key
+};
 
 /// The compiler options that follow from the device alone: language version, argument info, correct
 /// rounding, and ONDE_CPU, ONDE_AVX2, ONDE_AVX512 as 0 or 1, each option as "-D..." or "-cl-...".

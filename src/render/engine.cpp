@@ -8,16 +8,16 @@
 namespace onde {
 
 KernelArguments::KernelArguments(const EngineContext& context)
-    : device_(context.device), scene_(context.scene), film_(context.film),
-      frame_(context.device, 1), counters_(context.device, COUNTER_SIZE),
-      totals_(context.device, COUNTER_SIZE) {
+    : device_(context.device()), scene_(context.scene), film_(context.film),
+      frame_(context.device(), 1), counters_(context.device(), COUNTER_SIZE),
+      totals_(context.device(), COUNTER_SIZE) {
     const RenderOptions& options = context.options;
     const FrameRecord frame = make_frame(context.scene.packed(), context.camera, options);
-    frame_.write(context.device, std::span(&frame, 1));
-    counters_.fill(context.device, 0u);
-    totals_.fill(context.device, uint64_t(0));
+    frame_.write(context.device(), std::span(&frame, 1));
+    counters_.fill(context.device(), 0u);
+    totals_.fill(context.device(), uint64_t(0));
     const std::vector<uint32_t> order = pixel_order(options.width, options.height);
-    pixel_order_ = gpu::Buffer<uint32_t>(context.device, std::span(order));
+    pixel_order_ = gpu::Buffer<uint32_t>(context.device(), std::span(order));
 }
 
 uint32_t KernelArguments::bind(gpu::Kernel& kernel) const {
@@ -68,7 +68,7 @@ gpu::Program build_engine(const EngineContext& context, const std::string& file,
     for (const std::string& name : kernels)
         request.kernels.push_back({name, settings.local_size, items});
     request.kernels.push_back({"tally", settings.local_size, COUNTER_SIZE});
-    return gpu::build_program(context.device, context.sources, request, context.cache);
+    return context.programs.build(request);
 }
 
 std::unique_ptr<EngineDriver> make_engine(const EngineContext& context) {

@@ -26,14 +26,14 @@ struct Wave {
 
 /// What every engine needs; the referenced objects outlive it.
 struct EngineContext {
-    const gpu::Device& device;
-    const gpu::KernelSources& sources;
-    const gpu::ProgramCache* cache;
+    gpu::Programs& programs;
     const DeviceScene& scene;
     const Film& film;
     const Camera& camera;
     const RenderOptions& options;
     gpu::Profiler* profiler; ///< null: launches are not timed
+
+    const gpu::Device& device() const { return programs.device(); }
 };
 
 /// The parameters that all kernels of all engines share, and their places.

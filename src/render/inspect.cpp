@@ -36,10 +36,10 @@ Wave wave_of(const RenderOptions& options, const PixelSample& at) {
 class Inspection {
   public:
     Inspection(const IntegratorContext& c, const PixelSample& at)
-        : device_(c.device), options_(single_path(c.options)), wave_(wave_of(options_, at)),
-          film_(c.device, options_.width, options_.height), engine_{c.device, c.sources, c.cache,
-                                                                    c.scene,  film_,     c.camera,
-                                                                    options_, nullptr},
+        : device_(c.device()), options_(single_path(c.options)), wave_(wave_of(options_, at)),
+          film_(c.device(), options_.width, options_.height), engine_{c.programs, c.scene,
+                                                                      film_,      c.camera,
+                                                                      options_,   nullptr},
           arguments_(engine_) {}
 
     const RenderOptions& options() const { return options_; }
@@ -73,30 +73,30 @@ class Inspection {
 TreeReport inspect_whitted(const IntegratorContext& c, const PixelSample& at) {
     const Inspection inspection(c, at);
     const PackedWhitted packed = pack_whitted(*c.description, c.options.depth);
-    const TreeMemory memory(c.device, inspection.options(), packed);
+    const TreeMemory memory(c.device(), inspection.options(), packed);
     std::vector<std::string> defines = packed.defines();
     gpu::Program program = inspection.build("inspect/whitted.cl", "inspect_whitted", defines);
     gpu::Kernel& kernel = program.kernel("inspect_whitted");
 
     const uint32_t sources = packed.settings.source_count;
-    const gpu::Buffer<NodeReport> nodes(c.device, MOST_NODES);
-    const gpu::Buffer<SourceReport> lights(c.device, size_t(MOST_NODES) * sources);
-    const gpu::Buffer<uint32_t> count(c.device, 1);
+    const gpu::Buffer<NodeReport> nodes(c.device(), MOST_NODES);
+    const gpu::Buffer<SourceReport> lights(c.device(), size_t(MOST_NODES) * sources);
+    const gpu::Buffer<uint32_t> count(c.device(), 1);
     const uint32_t tree = inspection.bind(kernel);
     memory.bind(kernel, tree, 0);
     kernel.set_from(tree + TreeMemory::PARAMETERS, nodes, lights, MOST_NODES, count);
     inspection.run(kernel);
 
     TreeReport report;
-    const uint32_t found = count.read(c.device)[0];
+    const uint32_t found = count.read(c.device())[0];
     if (found == 0)
         throw InputError("the ray tree of this pixel has more than {} nodes; use a smaller --depth",
                          MOST_NODES);
-    report.nodes = nodes.read(c.device, 0, found);
+    report.nodes = nodes.read(c.device(), 0, found);
     for (uint32_t i = 0; i < found; i++) {
         const bool lit = report.nodes[i].alive && report.nodes[i].hit.primitive != BVH_NONE;
         report.sources.push_back(lit && sources
-                                     ? lights.read(c.device, size_t(i) * sources, sources)
+                                     ? lights.read(c.device(), size_t(i) * sources, sources)
                                      : std::vector<SourceReport>());
     }
     return report;
@@ -106,13 +106,13 @@ PathReport inspect_path(const IntegratorContext& c, const PixelSample& at) {
     const Inspection inspection(c, at);
     gpu::Program program = inspection.build("inspect/path.cl", "inspect_path", {});
     gpu::Kernel& kernel = program.kernel("inspect_path");
-    const gpu::Buffer<BounceReport> bounces(c.device, c.options.depth);
-    const gpu::Buffer<uint32_t> count(c.device, 1);
-    const gpu::Buffer<float> radiance(c.device, 3);
+    const gpu::Buffer<BounceReport> bounces(c.device(), c.options.depth);
+    const gpu::Buffer<uint32_t> count(c.device(), 1);
+    const gpu::Buffer<float> radiance(c.device(), 3);
     kernel.set_from(inspection.bind(kernel), bounces, count, radiance);
     inspection.run(kernel);
-    const std::vector<float> sum = radiance.read(c.device);
-    return {bounces.read(c.device, 0, count.read(c.device)[0]), {sum[0], sum[1], sum[2]}};
+    const std::vector<float> sum = radiance.read(c.device());
+    return {bounces.read(c.device(), 0, count.read(c.device())[0]), {sum[0], sum[1], sum[2]}};
 }
 
 } // namespace onde

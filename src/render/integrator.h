@@ -35,24 +35,23 @@ class Integrator {
 
 /// What an integrator is made from; the referenced objects outlive it.
 struct IntegratorContext {
-    const gpu::Device& device;
-    const gpu::KernelSources& sources;
-    const gpu::ProgramCache* cache; ///< null: kernels are compiled anew
-    const Scene* description;       ///< for all but path tracing, where it may be null
-    const DeviceScene& scene;       ///< of the same description
+    gpu::Programs& programs;
+    const Scene* description; ///< for all but path tracing, where it may be null
+    const DeviceScene& scene; ///< of the same description
     const Camera& camera;
     const RenderOptions& options;
     gpu::Profiler* profiler = nullptr; ///< null: launches are not timed
+
+    const gpu::Device& device() const { return programs.device(); }
 };
 
 /// Ray statistics from a table of counters by [row * COUNTER_BOUNCES + bounce].
 RayCounts ray_counts_of(const std::vector<uint64_t>& counters);
 
 /// The path tracer. The scene and device outlive it.
-std::unique_ptr<Integrator>
-make_path_integrator(const gpu::Device& device, const gpu::KernelSources& sources,
-                     const gpu::ProgramCache* cache, const DeviceScene& scene, const Camera& camera,
-                     const RenderOptions& options, gpu::Profiler* profiler = nullptr);
+std::unique_ptr<Integrator> make_path_integrator(gpu::Programs& programs, const DeviceScene& scene,
+                                                 const Camera& camera, const RenderOptions& options,
+                                                 gpu::Profiler* profiler = nullptr);
 
 /// The light tracer (see render/light_integrator.h).
 std::unique_ptr<Integrator> make_light_integrator(const IntegratorContext& context);

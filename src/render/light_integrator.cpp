@@ -10,7 +10,7 @@ namespace onde {
 namespace {
 
 EngineContext engine_context(const IntegratorContext& c, const Film& film) {
-    return {c.device, c.sources, c.cache, c.scene, film, c.camera, c.options, c.profiler};
+    return {c.programs, c.scene, film, c.camera, c.options, c.profiler};
 }
 
 const IntegratorContext& checked(const IntegratorContext& context) {
@@ -33,7 +33,7 @@ double percent(uint64_t part, uint64_t whole) {
 } // namespace
 
 LightIntegrator::LightIntegrator(const IntegratorContext& context)
-    : device_(checked(context).device), options_(context.options), profiler_(context.profiler),
+    : device_(checked(context).device()), options_(context.options), profiler_(context.profiler),
       has_mirrors_(has_smooth_lobes(*context.description)),
       hidden_emitters_(count_hidden_emitters(context.scene.packed())),
       film_(device_, options_.width, options_.height),

@@ -16,7 +16,7 @@ class SingleLaunch : public EngineDriver {
           program_(build_engine(context, file, {kernel})), kernel_(program_.kernel(kernel)) {
         const uint32_t after = arguments_.bind(kernel_);
         if (!has_state) return;
-        memory_.emplace(context.device, settings_);
+        memory_.emplace(context.device(), settings_);
         memory_->bind(kernel_, after, 0, false);
     }
 

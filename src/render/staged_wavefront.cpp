@@ -11,7 +11,7 @@ class StagedWavefront : public EngineDriver {
   public:
     explicit StagedWavefront(const EngineContext& context)
         : settings_(context.options.settings), depth_(context.options.depth),
-          profiler_(context.profiler), arguments_(context), memory_(context.device, settings_),
+          profiler_(context.profiler), arguments_(context), memory_(context.device(), settings_),
           program_(build_engine(
               context, "wavefront/staged.cl",
               {"generate", "intersect", "shade", "shadow_test", "extend", "accumulate"})) {}

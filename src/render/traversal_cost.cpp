@@ -52,16 +52,16 @@ uint32_t TraversalCost::largest() const {
 TraversalCost measure_traversal_cost(const IntegratorContext& c) {
     const uint32_t width = c.options.width, height = c.options.height;
     const size_t pixels = size_t(width) * height;
-    gpu::Program program = gpu::build_program(c.device, c.sources, request(c, pixels), c.cache);
+    gpu::Program program = c.programs.build(request(c, pixels));
     const FrameRecord record = make_frame(c.scene.packed(), c.camera, c.options);
-    const gpu::Buffer<FrameRecord> frame(c.device, std::span(&record, 1));
-    const gpu::Buffer<uint32_t> tests(c.device, 2 * pixels);
+    const gpu::Buffer<FrameRecord> frame(c.device(), std::span(&record, 1));
+    const gpu::Buffer<uint32_t> tests(c.device(), 2 * pixels);
     gpu::Kernel& kernel = program.kernel("pixel_cost");
     kernel.set_from(0, uint32_t(pixels), frame);
     kernel.set(c.scene.bind(kernel, 2), tests);
     kernel.launch(pixels, c.profiler);
 
-    const std::vector<uint32_t> counts = tests.read(c.device);
+    const std::vector<uint32_t> counts = tests.read(c.device());
     TraversalCost map{width, height, std::vector<uint32_t>(pixels), std::vector<uint32_t>(pixels)};
     for (size_t i = 0; i < pixels; ++i) {
         map.boxes[i] = counts[2 * i];

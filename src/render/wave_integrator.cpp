@@ -27,10 +27,9 @@ namespace {
 class WaveIntegrator : public Integrator {
   public:
     WaveIntegrator(const IntegratorContext& c, const EngineFactory& make)
-        : device_(c.device), options_(checked(c.options)),
-          film_(c.device, c.options.width, c.options.height),
-          engine_(make(
-              {c.device, c.sources, c.cache, c.scene, film_, c.camera, options_, c.profiler})) {}
+        : device_(c.device()), options_(checked(c.options)),
+          film_(c.device(), c.options.width, c.options.height),
+          engine_(make({c.programs, c.scene, film_, c.camera, options_, c.profiler})) {}
 
     void render_pass(uint32_t first, uint32_t count,
                      const std::function<bool(double)>& keep_going) override {

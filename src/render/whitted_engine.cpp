@@ -20,13 +20,13 @@ class WhittedEngine : public EngineDriver {
   public:
     WhittedEngine(const EngineContext& context, const Scene& scene)
         : context_(context), packed_(pack_whitted(scene, context.options.depth)),
-          arguments_(context), memory_(context.device, context.options, packed_),
+          arguments_(context), memory_(context.device(), context.options, packed_),
           first_way_(first_way(context.options)), program_(build(first_way_)) {}
 
     void render_wave(const Wave& wave) override {
         memory_.begin(program_, wave.paths());
         run(first_way_, program_, wave);
-        for (Way way = next(first_way_); memory_.is_unfinished(context_.device, wave.paths());
+        for (Way way = next(first_way_); memory_.is_unfinished(context_.device(), wave.paths());
              way = next(way))
             run(way, fallback(way), wave);
         arguments_.tally(program_, context_.profiler);

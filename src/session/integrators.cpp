@@ -19,7 +19,7 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
     case IntegratorKind::light:
         return make_light_integrator(context);
     case IntegratorKind::depth_buffer:
-        return make_depth_buffer(context, best_depth_atomics(context.device.facts()));
+        return make_depth_buffer(context, best_depth_atomics(context.device().facts()));
     case IntegratorKind::painter:
         return make_painter(context);
     }

@@ -81,16 +81,14 @@ double seconds_of(RayQuery& walker, const QueryRays& rays) {
 
 } // namespace
 
-std::vector<LayoutRate> measure_layouts(const gpu::Device& device,
-                                        const gpu::KernelSources& sources,
-                                        const gpu::ProgramCache* cache) {
+std::vector<LayoutRate> measure_layouts(gpu::Programs& programs) {
     const Field field;
     const Geometry geometry{field.positions, field.triangles, {}, 0};
     const std::vector<QueryRay> set = field_rays();
-    const QueryRays rays(device, set);
+    const QueryRays rays(programs.device(), set);
     std::vector<LayoutRate> rates;
     for (const BvhLayout layout : LAYOUTS) {
-        RayQuery walker(device, sources, cache, geometry, {.layout = layout});
+        RayQuery walker(programs, geometry, {.layout = layout});
         walker.closest(rays); // for pages and caches to fill
         rates.push_back({layout, 2e-6 * double(set.size()) / seconds_of(walker, rays)});
     }
@@ -140,12 +138,12 @@ BvhLayout known_layout(const gpu::DeviceFacts& facts, const LayoutMemory& memory
     return memory.recall(facts).value_or(facts.is_cpu ? BvhLayout::wide : BvhLayout::compressed);
 }
 
-BvhLayout suitable_layout(const gpu::Device& device, const gpu::KernelSources& sources,
-                          const LayoutMemory& memory) {
+BvhLayout suitable_layout(gpu::Programs& programs, const LayoutMemory& memory) {
+    const gpu::Device& device = programs.device();
     if (device.facts().is_cpu || memory.recall(device.facts()))
         return known_layout(device.facts(), memory);
     spdlog::info("measuring which tree suits {} (once)...", device.facts().name);
-    const BvhLayout layout = fastest_layout(measure_layouts(device, sources, nullptr));
+    const BvhLayout layout = fastest_layout(measure_layouts(programs));
     memory.remember(device.facts(), layout);
     return layout;
 }

@@ -16,9 +16,7 @@ struct LayoutRate {
 
 /// Traces half a million rays through a hilly field of 131,072 triangles in every layout, one ray
 /// per work item: the median of three runs. Compiles three small programs.
-std::vector<LayoutRate> measure_layouts(const gpu::Device& device,
-                                        const gpu::KernelSources& sources,
-                                        const gpu::ProgramCache* cache);
+std::vector<LayoutRate> measure_layouts(gpu::Programs& programs);
 
 /// The fastest layout; `rates` is not empty.
 BvhLayout fastest_layout(std::span<const LayoutRate> rates);
@@ -43,8 +41,7 @@ class LayoutMemory {
 BvhLayout known_layout(const gpu::DeviceFacts& facts, const LayoutMemory& memory = LayoutMemory());
 
 /// The same, but a device that is not a CPU and not known yet is measured, which takes seconds.
-BvhLayout suitable_layout(const gpu::Device& device, const gpu::KernelSources& sources,
-                          const LayoutMemory& memory = LayoutMemory());
+BvhLayout suitable_layout(gpu::Programs& programs, const LayoutMemory& memory = LayoutMemory());
 
 /// The word of `--layout`.
 const char* layout_name(BvhLayout layout);

@@ -29,11 +29,10 @@ Bvh build(const Geometry& geometry, const BvhOptions& options) {
 
 } // namespace
 
-RayQuery::RayQuery(const gpu::Device& device, const gpu::KernelSources& sources,
-                   const gpu::ProgramCache* cache, const Geometry& geometry,
-                   const BvhOptions& options, std::vector<std::string> defines)
-    : device_(device), bvh_(build(geometry, options)), tree_(device, bvh_),
-      program_(gpu::build_program(device, sources, request(bvh_, std::move(defines)), cache)) {}
+RayQuery::RayQuery(gpu::Programs& programs, const Geometry& geometry, const BvhOptions& options,
+                   std::vector<std::string> defines)
+    : device_(programs.device()), bvh_(build(geometry, options)), tree_(device_, bvh_),
+      program_(programs.build(request(bvh_, std::move(defines)))) {}
 
 template <class Result>
 void RayQuery::launch(const char* name, size_t rays_per_item, const QueryRays& set,

@@ -36,11 +36,10 @@ struct QueryRays {
         : rays(device, set), hits(device, set.size()), blocked(device, set.size()) {}
 };
 
-/// The tree of one geometry of triangles, and its kernels. The device must outlive it.
+/// The tree of one geometry of triangles, and its kernels. The programs must outlive it.
 class RayQuery {
   public:
-    RayQuery(const gpu::Device& device, const gpu::KernelSources& sources,
-             const gpu::ProgramCache* cache, const Geometry& geometry, const BvhOptions& options,
+    RayQuery(gpu::Programs& programs, const Geometry& geometry, const BvhOptions& options,
              std::vector<std::string> defines = {});
 
     /// Each launches one kernel over the set and waits for it. Packets, streams and turns

@@ -64,12 +64,11 @@ class Arithmetic {
     /// `type` is "float" or "float16".
     explicit Arithmetic(const std::string& type) : lanes_(type == "float" ? 1 : LANES) {
         folder_.write("arithmetic.cl", KERNELS);
-        program_.emplace(build_program(
-            device_, KernelSources::folder(folder_.path()),
+        Programs programs(device_, KernelSources::folder(folder_.path()));
+        program_.emplace(programs.build(
             {"arithmetic.cl",
              {"T=" + type},
-             {{"multiply_add"}, {"multiply_subtract"}, {"fused"}, {"square_root"}, {"divide"}}},
-            nullptr));
+             {{"multiply_add"}, {"multiply_subtract"}, {"fused"}, {"square_root"}, {"divide"}}}));
     }
 
     /// The number of places at which kernel and host differ in any bit.

@@ -14,8 +14,8 @@ TEST_CASE("the profiler counts launches and adds their time, by kernel") {
                  "__kernel void second(uint count, __global uint* sum) {\n"
                  "    for (uint i = 0; i < count; ++i) sum[get_global_id(0)] += i ^ sum[0];\n}\n");
     const Device device = open_device();
-    Program program = build_program(device, KernelSources::folder(folder.path()),
-                                    {"two.cl", {}, {{"first", 1}, {"second", 1}}}, nullptr);
+    Programs programs(device, KernelSources::folder(folder.path()));
+    Program program = programs.build({"two.cl", {}, {{"first", 1}, {"second", 1}}});
     const Buffer<uint32_t> sum(device, 1);
     program.kernel("first").set(0, 1u);
     program.kernel("second").set_from(0, 10000u, sum);

@@ -30,8 +30,12 @@ __kernel void scale(uint count, float offset, __global const float* in, __global
         return {"scale.cl", {scale}, {shape}};
     }
 
-    Program build(const ProgramCache* cache = nullptr) const {
-        return build_program(device_, sources(), request(), cache);
+    /// As a run of the program with that cache on disk does it.
+    Program build(std::optional<ProgramCache> cache = {}) const {
+        return build(request(), std::move(cache));
+    }
+    Program build(const ProgramRequest& request, std::optional<ProgramCache> cache = {}) const {
+        return Programs(device_, sources(), std::move(cache)).build(request);
     }
 
     /// What the kernel makes of `values` with an offset of 1.
@@ -78,10 +82,7 @@ TEST_CASE("a build error names our file and line, in a header too") {
 
 TEST_CASE("a kernel that its file lacks is an error that names it") {
     const ScaleProgram scale;
-    const auto build = [&] {
-        return build_program(scale.device(), scale.sources(),
-                             ScaleProgram::request("SCALE=2", {"shrink"}), nullptr);
-    };
+    const auto build = [&] { return scale.build(ScaleProgram::request("SCALE=2", {"shrink"})); };
     CHECK_THROWS_AS(build(), DeviceError);
     CHECK_THROWS_WITH(build(), Contains("shrink"));
 }
@@ -104,7 +105,7 @@ __kernel void many(uint count, float a, __global uint* b, __constant float* c, _
 }
 )");
     const ProgramRequest request{"many.cl", {}, {{"many", 8}}};
-    CHECK_NOTHROW(build_program(scale.device(), scale.sources(), request, nullptr));
+    CHECK_NOTHROW(scale.build(request));
 }
 
 TEST_CASE("an empty launch leaves memory untouched") {
@@ -151,9 +152,9 @@ TEST_CASE("a second build comes from the cache and computes the same") {
     const ScaleProgram scale;
     const test::TemporaryFolder folder;
     const ProgramCache cache(folder.path());
-    CHECK_FALSE(scale.build(&cache).report().from_cache);
+    CHECK_FALSE(scale.build(cache).report().from_cache);
     CHECK(cache.list().size() == 1);
-    Program cached = scale.build(&cache);
+    Program cached = scale.build(cache);
     CHECK(cached.report().from_cache);
     CHECK(scale.run(cached, VALUES) == SCALED);
     CHECK(cache.list().size() == 1);
@@ -164,10 +165,7 @@ TEST_CASE("another define, source, local size or size class of grid is another c
     const test::TemporaryFolder folder;
     const ProgramCache cache(folder.path());
     const auto is_hit = [&](const std::string& define, KernelShape shape) {
-        return build_program(scale.device(), scale.sources(), ScaleProgram::request(define, shape),
-                             &cache)
-            .report()
-            .from_cache;
+        return scale.build(ScaleProgram::request(define, shape), cache).report().from_cache;
     };
     CHECK_FALSE(is_hit("SCALE=2.0f", {"scale", 4}));
     CHECK_FALSE(is_hit("SCALE=3.0f", {"scale", 4}));
@@ -178,41 +176,66 @@ TEST_CASE("another define, source, local size or size class of grid is another c
     CHECK_FALSE(is_hit("SCALE=2.0f", {"scale", 4}));
 }
 
+TEST_CASE("what was built before gives kernels of its own, and is not built again") {
+    const ScaleProgram scale;
+    Programs programs(scale.device(), scale.sources());
+    Program first = programs.build(ScaleProgram::request());
+    CHECK_FALSE(first.report().from_cache);
+    Program second = programs.build(ScaleProgram::request());
+    CHECK(second.report().from_cache);
+    CHECK(programs.built() == 1);
+    scale.run(first, VALUES); // sets the arguments of the first one only
+    CHECK_THROWS_AS(second.kernel("scale").launch(4), DeviceError);
+    CHECK(scale.run(second, VALUES) == SCALED);
+    programs.build(ScaleProgram::request("SCALE=3.0f"));
+    CHECK(programs.built() == 2);
+}
+
+TEST_CASE("an edited kernel is built anew by the same programs") {
+    const ScaleProgram scale;
+    Programs programs(scale.device(), scale.sources());
+    programs.build(ScaleProgram::request());
+    scale.folder().write("lib/scale.h", "float scaled(float x) { return 0.0f; }\n");
+    Program edited = programs.build(ScaleProgram::request());
+    CHECK(programs.built() == 2);
+    CHECK(scale.run(edited, VALUES) == std::vector<float>(VALUES.size(), 1.0f));
+}
+
 TEST_CASE("a cache entry damaged on disk is a miss, and is written anew") {
     const ScaleProgram scale;
     const test::TemporaryFolder folder;
     const ProgramCache cache(folder.path());
-    scale.build(&cache);
+    scale.build(cache);
     const auto entry = *std::filesystem::directory_iterator(folder.path());
     {
         std::fstream file(entry.path(), std::ios::in | std::ios::out | std::ios::binary);
         file.seekp(std::streamoff(entry.file_size() / 2));
         file.write("damaged", 7);
     }
-    Program rebuilt = scale.build(&cache);
+    Program rebuilt = scale.build(cache);
     CHECK_FALSE(rebuilt.report().from_cache);
     CHECK(scale.run(rebuilt, VALUES) == SCALED);
-    CHECK(scale.build(&cache).report().from_cache);
+    CHECK(scale.build(cache).report().from_cache);
 }
 
 TEST_CASE("a cached binary that the driver refuses is a miss, and is written anew") {
     const ScaleProgram scale;
     const test::TemporaryFolder folder;
     const ProgramCache cache(folder.path());
-    scale.build(&cache);
+    scale.build(cache);
     cache.store(cache.list()[0].key, "no binary of any driver");
-    Program rebuilt = scale.build(&cache);
+    Program rebuilt = scale.build(cache);
     CHECK_FALSE(rebuilt.report().from_cache);
     CHECK(scale.run(rebuilt, VALUES) == SCALED);
-    CHECK(scale.build(&cache).report().from_cache);
+    CHECK(scale.build(cache).report().from_cache);
 }
 
 TEST_CASE("a cache that cannot be written costs nothing but its hits") {
     const ScaleProgram scale;
     const ProgramCache cache("/proc/no-folder-can-be-made-here");
-    Program program = scale.build(&cache);
+    Program program = scale.build(cache);
     CHECK(scale.run(program, VALUES) == SCALED);
-    CHECK_FALSE(scale.build(&cache).report().from_cache);
+    CHECK_FALSE(scale.build(cache).report().from_cache);
 }
 
 TEST_CASE("device facts become options: x86 builtins on PoCL only") {

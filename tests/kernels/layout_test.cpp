@@ -23,8 +23,7 @@ const Place PLACES[] = {SHARED_LAYOUT(PLACE_OF_SIZE, PLACE_OF_FIELD)};
 } // namespace
 
 TEST_CASE("host and device place every field of every shared struct alike") {
-    gpu::Program program = gpu::build_program(device(), kernel_sources(),
-                                              {"probe/layout.cl", {}, {{"layout", 1}}}, nullptr);
+    gpu::Program program = programs().build({"probe/layout.cl", {}, {{"layout", 1}}});
     const gpu::Buffer<uint32_t> out(device(), std::size(PLACES));
     gpu::Kernel& kernel = program.kernel("layout");
     kernel.set_from(0, uint32_t(1), out);

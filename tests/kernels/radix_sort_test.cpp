@@ -61,7 +61,7 @@ void check_sort(RadixSort& sort, const Pairs& pairs, uint32_t count) {
 constexpr uint32_t CAPACITY = 100'000; // several blocks, and no multiple of one
 
 RadixSort small_sort() {
-    return RadixSort(device(), kernel_sources(), nullptr, CAPACITY, 1);
+    return RadixSort(programs(), CAPACITY, 1);
 }
 
 } // namespace

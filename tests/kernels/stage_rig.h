@@ -133,9 +133,7 @@ class StageRig {
 
         Stages(const Scene& scene, uint32_t width, bool global_queue, const RenderOptions& options)
             : world(scene, options),
-              program(gpu::build_program(device(), kernel_sources(),
-                                         request(world.scene.packed(), width, global_queue),
-                                         nullptr)) {}
+              program(programs().build(request(world.scene.packed(), width, global_queue))) {}
 
         static gpu::ProgramRequest request(const PackedScene& scene, uint32_t width, bool global) {
             gpu::ProgramRequest request{"wavefront/staged.cl", scene.features.defines(), {}};

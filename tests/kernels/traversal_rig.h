@@ -2,8 +2,7 @@
 #pragma once
 
 #include "accel/soups.h"
-#include "support/device.h"
-#include "support/test_cache.h"
+#include "support/programs.h"
 #include "upload/ray_query.h"
 #include <array>
 #include <bit>
@@ -51,9 +50,7 @@ class Tracer {
     explicit Tracer(const World& world, std::vector<std::string> defines = {},
                     Abilities abilities = Abilities::needed)
         : tree_(device(), world.bvh),
-          program_(build_program(device(), KernelSources::embedded(),
-                                 request(world.bvh, std::move(defines), abilities),
-                                 &test_cache())) {}
+          program_(programs().build(request(world.bvh, std::move(defines), abilities))) {}
 
     std::vector<Hit> closest(std::span<const Ray> rays) {
         return trace<Hit>("closest", rays, rays.size());

@@ -36,7 +36,7 @@ TriangleSoup ellipsoid(glm::vec3 size, float turn) {
 }
 
 VolumeTester tester_of(const FittedVolumes& volumes, uint32_t width) {
-    return VolumeTester(device(), kernel_sources(), nullptr, volumes, width);
+    return VolumeTester(programs(), volumes, width);
 }
 
 std::vector<glm::vec3> cloud(size_t count, unsigned seed) {

@@ -23,8 +23,7 @@ TEST_CASE("no ray in millions leaks out of closed meshes, round, long, flat or t
     for (glm::vec3 size :
          {glm::vec3(1), glm::vec3(100, 1, 0.01f), glm::vec3(1e-3f), glm::vec3(3000, 2000, 1000)})
         for (uint32_t subdivisions : {0u, 2u, 5u}) {
-            const LeakTrials trials =
-                count_leaks(device(), KernelSources::embedded(), subdivisions, size, true, 500'000);
+            const LeakTrials trials = count_leaks(programs(), subdivisions, size, true, 500'000);
             INFO("size " << size.x << " " << size.y << " " << size.z << ", " << subdivisions
                          << " subdivisions");
             CHECK(trials.rays >= 500'000);
@@ -33,8 +32,7 @@ TEST_CASE("no ray in millions leaks out of closed meshes, round, long, flat or t
 }
 
 TEST_CASE("without the option some rays do leak: the count is not blind") {
-    const LeakTrials trials =
-        count_leaks(device(), KernelSources::embedded(), 5, glm::vec3(1), false, 1'000'000);
+    const LeakTrials trials = count_leaks(programs(), 5, glm::vec3(1), false, 1'000'000);
     CHECK(trials.leaks > 0);
 }
 

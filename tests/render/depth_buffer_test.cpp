@@ -220,11 +220,9 @@ TEST_CASE("a scene that reaches too far for exact arithmetic is refused with its
 TEST_CASE("a render that is stopped keeps whole samples only") {
     const Scene scene = random_raster_scene(8);
     const DeviceScene placed = place_on_device(scene);
-    const gpu::KernelSources sources = kernel_sources();
     const RenderOptions options = raster_options(IntegratorKind::depth_buffer, 96, 80, 8);
     const auto integrator = make_depth_buffer(
-        {device(), sources, &test_cache(), &scene, placed, scene.cameras[0], options, nullptr},
-        DepthAtomics::narrow);
+        {programs(), &scene, placed, scene.cameras[0], options, nullptr}, DepthAtomics::narrow);
     integrator->render_pass(0, 8, [](double share) { return share < 0.25; });
     const std::vector<cl_float4> sums = integrator->film().sums().read(device());
     for (const cl_float4& sum : sums) REQUIRE(sum.s[3] == 2);

@@ -10,12 +10,10 @@ struct Replay {
     Scene scene =
         load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/chapter/five-objects.toml");
     DeviceScene placed = place_on_device(scene);
-    gpu::KernelSources sources = kernel_sources();
     RenderOptions options = small_options(24, 24, 1);
 
     IntegratorContext context() const {
-        return {device(), sources,          &test_cache(), &scene,
-                placed,   scene.cameras[0], options,       nullptr};
+        return {programs(), &scene, placed, scene.cameras[0], options, nullptr};
     }
     /// One sample of every pixel, by the engine of the options.
     Image sample(uint32_t index) const {

@@ -1,8 +1,7 @@
 // The layout that a device is given: what was measured of it, and else what is known of its kind.
 #include "upload/layout_choice.h"
 
-#include "support/device.h"
-#include "support/test_cache.h"
+#include "support/programs.h"
 
 #include <catch2/catch.hpp>
 
@@ -64,7 +63,7 @@ TEST_CASE("a damaged memory, and none, are as if nothing had been measured") {
 }
 
 TEST_CASE("all layouts are measured, and the fastest is chosen") {
-    const auto rates = measure_layouts(device(), gpu::KernelSources::embedded(), &test_cache());
+    const auto rates = measure_layouts(programs());
     REQUIRE(rates.size() == 3);
     const BvhLayout chosen = fastest_layout(rates);
     for (const LayoutRate& rate : rates) {

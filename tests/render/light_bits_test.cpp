@@ -54,9 +54,7 @@ TEST_CASE("the rays that contributed are those after which the film has changed"
     options.depth = 3;
     // Nothing but what rays bring: the camera sees no light itself.
     scene.cameras = {camera_at({-2, 3, 4}, {-2, 0, 0.5f}, 0.5f)};
-    const gpu::KernelSources sources = kernel_sources();
-    LightIntegrator integrator(
-        {device(), sources, &test_cache(), &scene, placed, scene.cameras[0], options});
+    LightIntegrator integrator({programs(), &scene, placed, scene.cameras[0], options});
     constexpr uint32_t RAYS = 400;
     uint32_t changes = 0;
     glm::vec3 before(0);
@@ -106,11 +104,9 @@ TEST_CASE("a scene in which nothing emits is refused in a sentence") {
 TEST_CASE("lights that rays can't start at are reported, never silently dark") {
     const Scene scene = lights_scene();
     const RenderOptions options = small_options(8, 8, 1);
-    const gpu::KernelSources sources = kernel_sources();
     const auto findings_of = [&](const PackedScene& packed) {
         const DeviceScene placed(device(), packed);
-        const IntegratorContext context{device(), sources,          &test_cache(), &scene,
-                                        placed,   scene.cameras[0], options};
+        const IntegratorContext context{programs(), &scene, placed, scene.cameras[0], options};
         return LightIntegrator(context).findings();
     };
     PackedScene packed = pack_scene(scene);
@@ -129,9 +125,7 @@ TEST_CASE("light tracing stopped between waves has the picture of the rays so fa
     const DeviceScene placed = place_on_device(scene);
     RenderOptions options = small_options(32, 32, 8);
     options.settings.wave_size = 1024;
-    const gpu::KernelSources sources = kernel_sources();
-    LightIntegrator integrator(
-        {device(), sources, &test_cache(), &scene, placed, scene.cameras[0], options});
+    LightIntegrator integrator({programs(), &scene, placed, scene.cameras[0], options});
     integrator.render_pass(0, 8, [](double share) { return share < 0.5; });
     CHECK(integrator.counts().emitted == 4096);
     CHECK(integrator.film().sums().read(device())[0].s[3] == 4.0f);

@@ -20,9 +20,8 @@ struct LightPicture {
 
 inline LightPicture trace_light(const DeviceScene& placed, const Scene& scene,
                                 const RenderOptions& options) {
-    const gpu::KernelSources sources = kernel_sources();
-    LightIntegrator integrator({device(), sources, &test_cache(), &scene, placed,
-                                scene.cameras.at(options.camera), options});
+    LightIntegrator integrator(
+        {programs(), &scene, placed, scene.cameras.at(options.camera), options});
     const std::atomic<bool> never{false};
     render(integrator, options, never, [](const Progress&) {});
     return {integrator.film().develop(device()), integrator.counts(),

@@ -16,10 +16,8 @@ Painting paint(const Scene& scene,
                uint32_t most_entries = MOST_TILE_ENTRIES) {
     check_scene(scene);
     const DeviceScene placed = place_on_device(scene);
-    const gpu::KernelSources sources = kernel_sources();
     const auto painter = make_painter(
-        {device(), sources, &test_cache(), &scene, placed, scene.cameras[0], options, nullptr},
-        most_entries);
+        {programs(), &scene, placed, scene.cameras[0], options, nullptr}, most_entries);
     const Image image = take_picture(*painter, options).image;
     return {image, painter->counts()};
 }

@@ -6,7 +6,6 @@
 #include "session/integrators.h"
 #include "support/assets.h"
 #include "support/probe.h"
-#include "support/test_cache.h"
 
 #include <catch2/catch.hpp>
 
@@ -60,18 +59,14 @@ inline Picture take_picture(Integrator& integrator, const RenderOptions& options
 /// By the path tracer, whatever the options say.
 inline Picture render_packed(const DeviceScene& scene, const Camera& camera,
                              const RenderOptions& options) {
-    const gpu::KernelSources sources = kernel_sources();
-    return take_picture(
-        *make_path_integrator(device(), sources, &test_cache(), scene, camera, options), options);
+    return take_picture(*make_path_integrator(programs(), scene, camera, options), options);
 }
 
 /// By the integrator that the options name. `placed` is `scene` on the device.
 inline Picture render_by(const Scene& scene, const DeviceScene& placed,
                          const RenderOptions& options) {
-    const gpu::KernelSources sources = kernel_sources();
     const Camera& camera = scene.cameras.at(options.camera);
-    return take_picture(*make_integrator({device(), sources, &test_cache(), &scene, placed, camera,
-                                          options, nullptr}),
+    return take_picture(*make_integrator({programs(), &scene, placed, camera, options, nullptr}),
                         options);
 }
 

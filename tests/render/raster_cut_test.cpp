@@ -17,31 +17,31 @@ gpu::Device device_as_gpu() {
     return {device().raw(), facts};
 }
 
-Image draw_on(const gpu::Device& target, const Scene& scene, IntegratorKind kind) {
+Image draw_on(gpu::Programs& target, const Scene& scene, IntegratorKind kind) {
     PackedScene packed = pack_scene(scene);
     packed.features = all_features();
-    const DeviceScene placed(target, std::move(packed));
-    const gpu::KernelSources sources = kernel_sources();
+    const DeviceScene placed(target.device(), std::move(packed));
     RenderOptions options = raster_options(kind, 200, 150, 2);
-    options.settings = gpu::default_settings(target.facts());
-    const auto integrator = make_integrator(
-        {target, sources, &test_cache(), &scene, placed, scene.cameras[0], options, nullptr});
+    options.settings = gpu::default_settings(target.device().facts());
+    const auto integrator =
+        make_integrator({target, &scene, placed, scene.cameras[0], options, nullptr});
     integrator->render_pass(0, 2, [](double) { return true; });
-    return integrator->film().develop(target);
+    return integrator->film().develop(target.device());
 }
 
 } // namespace
 
 TEST_CASE("work that is cut as for a GPU makes the same bits") {
-    const gpu::Device other = device_as_gpu();
+    const gpu::Device device = device_as_gpu();
+    gpu::Programs other(device, kernel_sources(), test_cache());
     Scene scene = random_raster_scene(9);
     for (size_t i = 0; i < scene.materials.size(); i += 2) {
         scene.materials[i].kind = MaterialKind::phong;
         scene.materials[i].phong.transmission = 0.4f;
     }
     for (IntegratorKind kind : {IntegratorKind::depth_buffer, IntegratorKind::painter})
-        CHECK(first_pixel_difference(draw_on(other, scene, kind), draw_on(device(), scene, kind)) ==
-              "");
+        CHECK(first_pixel_difference(draw_on(other, scene, kind),
+                                     draw_on(programs(), scene, kind)) == "");
 }
 
 TEST_CASE("the radix sort in groups of 64 sorts") {
@@ -54,7 +54,8 @@ TEST_CASE("the radix sort in groups of 64 sorts") {
     gpu::Buffer<uint32_t> key_buffer(other, COUNT), value_buffer(other, COUNT);
     key_buffer.write(other, keys);
     value_buffer.write(other, values);
-    RadixSort(other, kernel_sources(), nullptr, COUNT, 64).sort(key_buffer, value_buffer, COUNT);
+    gpu::Programs programs(other, kernel_sources());
+    RadixSort(programs, COUNT, 64).sort(key_buffer, value_buffer, COUNT);
     std::ranges::stable_sort(values, {}, [&](uint32_t v) { return keys[v]; });
     CHECK(value_buffer.read(other) == values);
 }

@@ -101,11 +101,10 @@ inline Image
 draw_depth(const Scene& scene, DepthAtomics atomics,
            const RenderOptions& options = raster_options(IntegratorKind::depth_buffer)) {
     const DeviceScene placed = place_on_device(scene);
-    const gpu::KernelSources sources = kernel_sources();
-    return take_picture(*make_depth_buffer({device(), sources, &test_cache(), &scene, placed,
-                                            scene.cameras[0], options, nullptr},
-                                           atomics),
-                        options)
+    return take_picture(
+               *make_depth_buffer({programs(), &scene, placed, scene.cameras[0], options, nullptr},
+                                  atomics),
+               options)
         .image;
 }
 

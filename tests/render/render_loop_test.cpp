@@ -38,9 +38,7 @@ TEST_CASE("an interrupted render keeps the samples that it has") {
     const DeviceScene placed = place_on_device(scene);
     RenderOptions options = small_options(16, 12, 1u << 20);
     options.samples_in_flight = 1;
-    const gpu::KernelSources sources = kernel_sources();
-    const auto integrator =
-        make_path_integrator(device(), sources, &test_cache(), placed, scene.cameras[0], options);
+    const auto integrator = make_path_integrator(programs(), placed, scene.cameras[0], options);
     std::atomic<bool> stop{false};
     const RenderOutcome outcome = render(
         *integrator, options, stop, [&](const Progress& p) { stop = p.samples >= 4; }, 1e9);
@@ -55,9 +53,7 @@ TEST_CASE("progress is reported with shares that grow to one") {
     const Scene scene = small_scene();
     const DeviceScene placed = place_on_device(scene);
     const RenderOptions options = small_options(16, 12, 20);
-    const gpu::KernelSources sources = kernel_sources();
-    const auto integrator =
-        make_path_integrator(device(), sources, &test_cache(), placed, scene.cameras[0], options);
+    const auto integrator = make_path_integrator(programs(), placed, scene.cameras[0], options);
     const std::atomic<bool> never{false};
     std::vector<Progress> reports;
     render(

@@ -13,10 +13,8 @@ Scene scene_file(const std::string& name) {
 }
 
 TraversalCost map_of(const Scene& scene, const BvhOptions& bvh, const RenderOptions& options) {
-    const gpu::KernelSources sources = kernel_sources();
     const DeviceScene placed(device(), pack_scene(scene, bvh));
-    return measure_traversal_cost(
-        {device(), sources, &test_cache(), &scene, placed, scene.cameras[0], options, nullptr});
+    return measure_traversal_cost({programs(), &scene, placed, scene.cameras[0], options, nullptr});
 }
 
 /// The rays of sample 0, as kernels make them.
@@ -56,12 +54,10 @@ TEST_CASE("the sum of the map is the number of tests that the same rays take in 
     RenderOptions options = small_options(64, 48, 1);
     options.filter = Filter::blackman_harris;
     const std::vector<VolumeRay> rays = camera_rays(scene, options);
-    const gpu::KernelSources sources = kernel_sources();
     for (BvhBuilder builder :
          {BvhBuilder::sah, BvhBuilder::high, BvhBuilder::median, BvhBuilder::median_spatial}) {
         const TraversalCost map = map_of(scene, {.builder = builder}, options);
-        const HierarchyReport counted =
-            measure_hierarchy(device(), sources, &test_cache(), soup, builder, rays);
+        const HierarchyReport counted = measure_hierarchy(programs(), soup, builder, rays);
         INFO("builder " << int(builder));
         CHECK(map.sum() == counted.boxes + counted.triangles);
         CHECK(counted.hits > 0);

@@ -1,9 +1,7 @@
-// Functions of kernels/lib called from tests: kernels/probe maps them over arrays on the device.
+// Kernel functions called from tests: kernels/probe maps them over arrays on the device.
 #pragma once
 
-#include "gpu/program.h"
-#include "support/device.h"
-#include "support/test_cache.h"
+#include "support/programs.h"
 
 #include <bit>
 #include <string>
@@ -25,19 +23,12 @@ inline uint32_t from_word(float a) {
 /// What a probe has not written is this.
 inline constexpr float UNWRITTEN = -1234567.0f;
 
-/// The kernels are read from the checkout, so that an edit of one needs no new build of the tests.
-inline gpu::KernelSources kernel_sources() {
-    return gpu::KernelSources::folder(std::filesystem::path(ONDE_SOURCE_DIR) / "kernels");
-}
-
 /// Some probes of a file of kernels/probe, compiled at one width.
 class Probe {
   public:
     Probe(const std::string& file, uint32_t width, const std::vector<std::string>& names,
           std::vector<std::string> defines = {})
-        : program_(gpu::build_program(device(), kernel_sources(),
-                                      request(file, width, names, std::move(defines)),
-                                      &test_cache())) {}
+        : program_(programs().build(request(file, width, names, std::move(defines)))) {}
 
     /// All `words` output columns that probe `name` writes, over the items of `in`, which has at
     /// least one column. `bind` sets the arguments between `count` and the columns and returns the

@@ -1,0 +1,18 @@
+#include "gpu/buffer_list.h"
+
+#include <algorithm>
+
+namespace onde::gpu {
+
+uint64_t total_bytes(std::span<const BufferSize> buffers) {
+    uint64_t bytes = 0;
+    for (const BufferSize& buffer : buffers) bytes += buffer.bytes;
+    return bytes;
+}
+
+void BufferList::note(std::string name, size_t count, size_t element_size) {
+    // A buffer of no elements has room for one: see Buffer.
+    sizes_.push_back({std::move(name), std::max<uint64_t>(count, 1) * element_size});
+}
+
+} // namespace onde::gpu

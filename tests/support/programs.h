@@ -1,0 +1,21 @@
+// The programs that a test executable runs on its device.
+#pragma once
+
+#include "gpu/program.h"
+#include "support/device.h"
+#include "support/test_cache.h"
+
+namespace onde::test {
+
+/// The kernels are read from the checkout, so that an edit of one needs no new build of the tests.
+inline gpu::KernelSources kernel_sources() {
+    return gpu::KernelSources::folder(std::filesystem::path(ONDE_SOURCE_DIR) / "kernels");
+}
+
+/// Kept on disk between runs.
+inline gpu::Programs& programs() {
+    static gpu::Programs all(device(), kernel_sources(), test_cache());
+    return all;
+}
+
+} // namespace onde::test

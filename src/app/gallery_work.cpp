@@ -53,7 +53,7 @@ GalleryWork load_work(const fs::path& file, std::optional<uint32_t> samples,
     RenderRequest request;
     request.samples = samples;
     work.options = resolve_options(request, work.scene, facts);
-    check_memory(plan_memory(work.options), facts);
+    check_memory(plan_memory(work.scene, work.options, facts), facts);
     GalleryEntry& entry = work.entry;
     entry.name = file.stem().string();
     entry.picture = entry.name + ".png";

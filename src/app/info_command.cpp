@@ -5,6 +5,7 @@
 #include "gpu/device.h"
 #include "render/memory_plan.h"
 #include "scene/load.h"
+#include "session/integrators.h"
 #include "upload/layout_choice.h"
 
 #include <fmt/format.h>
@@ -83,26 +84,30 @@ gpu::DeviceFacts default_device() {
 DeviceMemory plan_device_memory(const Scene& scene) {
     const gpu::DeviceFacts facts = default_device();
     DeviceMemory memory{facts.name, resolve_options({}, scene, facts), {}};
-    memory.plan = plan_memory(memory.options);
-    memory.plan.scene = pack_scene(scene, {.layout = known_layout(facts)}).device_buffers();
+    memory.plan = plan_memory(scene, memory.options, facts);
+    memory.plan.add_scene(pack_scene(scene, {.layout = known_layout(facts)}).device_buffers());
     return memory;
 }
 
-void print_buffers(const std::vector<BufferSize>& buffers) {
-    for (const BufferSize& buffer : buffers)
-        if (buffer.bytes > 0) fmt::print("  {:<21} {:>10}\n", buffer.name, size_text(buffer.bytes));
+/// Bytes; the list of all buffers is in the JSON.
+constexpr uint64_t SMALLEST_SHOWN = 1024;
+
+void print_buffers(const std::vector<gpu::BufferSize>& buffers) {
+    for (const gpu::BufferSize& buffer : buffers)
+        if (buffer.bytes >= SMALLEST_SHOWN)
+            fmt::print("  {:<21} {:>10}\n", buffer.name, size_text(buffer.bytes));
 }
 
 void print_memory(const DeviceMemory& memory) {
     const MemoryPlan& plan = memory.plan;
     fmt::print("device memory {}, on {}\n", size_text(plan.bytes()), memory.device);
-    fmt::print(" scene {}\n", size_text(total_bytes(plan.scene)));
+    fmt::print(" scene {}\n", size_text(gpu::total_bytes(plan.scene)));
     print_buffers(plan.scene);
     fmt::print(" {} paths in flight {}\n", memory.options.settings.wave_size,
-               size_text(total_bytes(plan.paths)));
+               size_text(gpu::total_bytes(plan.paths)));
     print_buffers(plan.paths);
     fmt::print(" film of {} x {} {}\n", memory.options.width, memory.options.height,
-               size_text(total_bytes(plan.film)));
+               size_text(gpu::total_bytes(plan.film)));
     print_buffers(plan.film);
 }
 
@@ -147,9 +152,9 @@ Json json_cameras(const std::vector<Camera>& cameras) {
     return list;
 }
 
-Json json_buffers(const std::vector<BufferSize>& buffers) {
+Json json_buffers(const std::vector<gpu::BufferSize>& buffers) {
     Json sizes = Json::object();
-    for (const BufferSize& buffer : buffers) sizes[buffer.name] = buffer.bytes;
+    for (const gpu::BufferSize& buffer : buffers) sizes[buffer.name] = buffer.bytes;
     return sizes;
 }
 

@@ -102,18 +102,18 @@ bool run(const RenderRequest& request) {
         spdlog::info("{}", note);
     report.scene = request.scene.string();
     report.scene_hash = scene_hash(scene);
-    MemoryPlan plan = plan_memory(report.options);
+    MemoryPlan plan = plan_memory(scene, report.options, device.facts());
     check_memory(plan, device.facts());
 
     const Timer packing;
     PackedScene packed = pack_scene(scene, resolve_bvh(request, programs));
-    plan.scene = packed.device_buffers();
+    plan.add_scene(packed.device_buffers());
     check_memory(plan, device.facts());
     const DeviceScene device_scene(device, std::move(packed));
     report.pack_seconds = packing.seconds();
     report.layout = device_scene.packed().bvh.layout;
     report.bvh = device_scene.packed().bvh.statistics;
-    report.scene_bytes = total_bytes(plan.scene);
+    report.scene_bytes = gpu::total_bytes(plan.scene);
 
     gpu::Profiler profiler;
     const bool profiled = request.stats || !request.json.empty();
@@ -122,8 +122,8 @@ bool run(const RenderRequest& request) {
                                     report.options, profiled ? &profiler : nullptr};
     const auto integrator = make_integrator(context);
     report.kernels = integrator->build_report();
-    report.state_bytes = integrator->state_bytes();
-    report.film_bytes = total_bytes(plan.film);
+    report.state_bytes = gpu::total_bytes(plan.paths);
+    report.film_bytes = gpu::total_bytes(plan.film);
     report.outcome = render_until_done(*integrator, report, request.quiet);
     report.rays = integrator->ray_counts();
     report.invalid = integrator->film().find_invalid(device);

@@ -21,16 +21,27 @@ size_t shares(size_t count, uint32_t chunk) {
     return (count + chunk - 1) / chunk;
 }
 
+struct DepthBuffers {
+    gpu::Buffer<uint64_t> nearest; ///< by pixel
+    gpu::Buffer<uint32_t> large;   ///< primitives to be shared out, after their number
+
+    DepthBuffers(RenderBuffers& buffers, const RenderOptions& options, uint32_t primitives)
+        : nearest(
+              buffers.film.add<uint64_t>("depth buffer", size_t(options.width) * options.height)),
+          large(buffers.scene.add<uint32_t>("large primitives",
+                                            1 + std::min(primitives, PRIMITIVES_PER_LAUNCH))) {}
+};
+
 class DepthBuffer : public Integrator {
   public:
     DepthBuffer(const IntegratorContext& c, DepthAtomics atomics)
-        : context_(checked(c)), options_(c.options), scene_(c), atomics_(atomics),
-          film_(c.device(), options_.width, options_.height), nearest_(c.device(), pixels()),
-          large_(c.device(), 1 + std::min(scene_.primitives(), PRIMITIVES_PER_LAUNCH)),
+        : context_(checked(c)), options_(c.options), buffers_(c.device()), scene_(c, buffers_),
+          atomics_(atomics), film_(c.device(), options_.width, options_.height),
+          depth_(buffers_, options_, scene_.primitives()),
           program_(build_raster(
               c, "depth_buffer.cl",
               {{"clear_depth", shares(pixels(), chunk())},
-               {"draw_small", shares(large_.size(), chunk())},
+               {"draw_small", shares(depth_.large.size(), chunk())},
                {"draw_large", shares(options_.height, rows_per_band(c.device().facts()))},
                {"resolve_depth", shares(pixels(), chunk())}},
               {fmt::format("ONDE_DEPTH_ATOMICS64={:d}", atomics == DepthAtomics::wide)})) {}
@@ -48,9 +59,7 @@ class DepthBuffer : public Integrator {
     const Film& film() const override { return film_; }
     RayCounts ray_counts() const override { return {}; }
     const gpu::BuildReport& build_report() const override { return program_.report(); }
-    uint64_t state_bytes() const override {
-        return scene_.bytes() + large_.size() * sizeof(uint32_t);
-    }
+    const RenderBuffers& buffers() const override { return buffers_; }
     std::vector<std::string> findings() const override { return scene_.notes(); }
 
   private:
@@ -77,7 +86,7 @@ class DepthBuffer : public Integrator {
 
     void clear() {
         gpu::Kernel& kernel = program_.kernel("clear_depth");
-        kernel.set_from(0, pixels(), chunk(), nearest_);
+        kernel.set_from(0, pixels(), chunk(), depth_.nearest);
         kernel.launch(shares(pixels(), chunk()), context_.profiler);
     }
 
@@ -85,18 +94,18 @@ class DepthBuffer : public Integrator {
     void draw(uint32_t first, uint32_t phase) {
         const uint32_t zero = 0;
         const uint32_t count = std::min(scene_.primitives() - first, PRIMITIVES_PER_LAUNCH);
-        large_.write(context_.device(), std::span(&zero, 1));
+        depth_.large.write(context_.device(), std::span(&zero, 1));
         gpu::Kernel& small = program_.kernel("draw_small");
         small.set_from(0, count, chunk());
-        small.set_from(scene_.bind(small, 2), first, most_small_pixels(facts()), large_, nearest_,
-                       phase);
+        small.set_from(scene_.bind(small, 2), first, most_small_pixels(facts()), depth_.large,
+                       depth_.nearest, phase);
         small.launch(shares(count, chunk()), context_.profiler);
 
         const uint32_t band = rows_per_band(facts());
         const auto bands = uint32_t(shares(options_.height, band));
         gpu::Kernel& large = program_.kernel("draw_large");
         large.set_from(0, bands, band);
-        large.set_from(scene_.bind(large, 2), large_, nearest_, phase);
+        large.set_from(scene_.bind(large, 2), depth_.large, depth_.nearest, phase);
         large.launch(bands, context_.profiler);
         context_.device().finish();
     }
@@ -105,18 +114,18 @@ class DepthBuffer : public Integrator {
         gpu::Kernel& kernel = program_.kernel("resolve_depth");
         kernel.set(0, pixels());
         const uint32_t next = kernel.set_from(scene_.bind_scene(kernel, 1), chunk());
-        kernel.set_from(scene_.bind(kernel, next), nearest_, film_.sums());
+        kernel.set_from(scene_.bind(kernel, next), depth_.nearest, film_.sums());
         kernel.launch(shares(pixels(), chunk()), context_.profiler);
         context_.device().finish();
     }
 
     IntegratorContext context_;
     RenderOptions options_;
+    RenderBuffers buffers_;
     RasterScene scene_;
     DepthAtomics atomics_;
     Film film_;
-    gpu::Buffer<uint64_t> nearest_;
-    gpu::Buffer<uint32_t> large_;
+    DepthBuffers depth_;
     gpu::Program program_;
 };
 
@@ -124,6 +133,12 @@ class DepthBuffer : public Integrator {
 
 DepthAtomics best_depth_atomics(const gpu::DeviceFacts& facts) {
     return facts.int64_atomics ? DepthAtomics::wide : DepthAtomics::narrow;
+}
+
+void plan_depth_buffer(RenderBuffers& buffers, const Scene& scene, const RenderOptions& options) {
+    const PackedRaster packed = pack_raster(scene, scene.cameras.at(options.camera), options);
+    RasterBuffers(buffers.scene, packed);
+    DepthBuffers(buffers, options, packed.record.primitive_count);
 }
 
 std::unique_ptr<Integrator> make_depth_buffer(const IntegratorContext& context,

@@ -14,6 +14,9 @@ enum class DepthAtomics {
 /// The wide ones where the device has them.
 DepthAtomics best_depth_atomics(const gpu::DeviceFacts& facts);
 
+/// States the buffers of a depth buffer of these options.
+void plan_depth_buffer(RenderBuffers& buffers, const Scene& scene, const RenderOptions& options);
+
 std::unique_ptr<Integrator> make_depth_buffer(const IntegratorContext& context,
                                               DepthAtomics atomics);
 

@@ -19,15 +19,30 @@ size_t shares(size_t count, uint32_t chunk) {
     return (count + chunk - 1) / chunk;
 }
 
+struct PainterBuffers {
+    TileBuffers tiles;
+    SortBuffers sort;
+    gpu::Buffer<cl_float4> canvas;
+    gpu::Buffer<uint32_t> statistics, keys, order;
+
+    PainterBuffers(RenderBuffers& buffers, const RasterRecord& record,
+                   const gpu::DeviceFacts& facts, uint32_t most_entries)
+        : tiles(buffers.scene, record, most_entries),
+          sort(buffers.scene, facts, record.primitive_count),
+          canvas(buffers.film.add<cl_float4>("canvas", size_t(record.width) * record.height)),
+          statistics(buffers.film.add_filled("painter statistics", 4, uint32_t(0))),
+          keys(buffers.scene.add<uint32_t>("depth keys", record.primitive_count)),
+          order(buffers.scene.add<uint32_t>("painting order", record.primitive_count)) {}
+};
+
 class TilePainter : public Painter {
   public:
     TilePainter(const IntegratorContext& c, uint32_t most_entries)
-        : context_(checked(c)), options_(c.options), scene_(c),
+        : context_(checked(c)), options_(c.options), buffers_(c.device()), scene_(c, buffers_),
           film_(c.device(), options_.width, options_.height),
-          tiles_(c.device(), scene_.record(), most_entries), canvas_(c.device(), pixels()),
-          statistics_(c.device(), 4), keys_(c.device(), scene_.primitives()),
-          order_(c.device(), scene_.primitives()),
-          sort_(c.programs, scene_.primitives(), c.options.settings.local_size),
+          painter_(buffers_, scene_.record(), c.device().facts(), most_entries),
+          tiles_(c.device(), painter_.tiles),
+          sort_(c.programs, painter_.sort, scene_.primitives(), c.options.settings.local_size),
           program_(build_raster(c, "painter.cl",
                                 {{"depth_keys", shares(scene_.primitives(), chunk())},
                                  {"find_tiles", shares(scene_.primitives(), chunk())},
@@ -37,7 +52,6 @@ class TilePainter : public Painter {
                                  {"clear_canvas", shares(pixels(), chunk())},
                                  {"paint_tiles", paint_items()},
                                  {"resolve_canvas", shares(pixels(), chunk())}})) {
-        statistics_.fill(c.device(), 0u);
         report_ = program_.report();
         report_.seconds += sort_.build_report().seconds;
         report_.from_cache &= sort_.build_report().from_cache;
@@ -57,13 +71,10 @@ class TilePainter : public Painter {
     const Film& film() const override { return film_; }
     RayCounts ray_counts() const override { return {}; }
     const gpu::BuildReport& build_report() const override { return report_; }
-    uint64_t state_bytes() const override {
-        return scene_.bytes() + tiles_.bytes() + sort_.bytes() +
-               (keys_.size() + order_.size()) * sizeof(uint32_t);
-    }
+    const RenderBuffers& buffers() const override { return buffers_; }
 
     PaintCounts counts() const override {
-        const std::vector<uint32_t> words = statistics_.read(context_.device());
+        const std::vector<uint32_t> words = painter_.statistics.read(context_.device());
         return {uint64_t(words[1]) << 32 | words[0], uint64_t(words[3]) << 32 | words[2]};
     }
 
@@ -91,9 +102,9 @@ class TilePainter : public Painter {
     void sort() {
         gpu::Kernel& kernel = program_.kernel("depth_keys");
         kernel.set_from(0, scene_.primitives(), chunk());
-        kernel.set_from(scene_.bind(kernel, 2), keys_, order_);
+        kernel.set_from(scene_.bind(kernel, 2), painter_.keys, painter_.order);
         kernel.launch(shares(scene_.primitives(), chunk()), context_.profiler);
-        sort_.sort(keys_, order_, scene_.primitives(), context_.profiler);
+        sort_.sort(painter_.keys, painter_.order, scene_.primitives(), context_.profiler);
         sorted_ = true;
     }
 
@@ -101,17 +112,17 @@ class TilePainter : public Painter {
     bool draw_sample(const std::function<bool()>& keep_going) {
         gpu::Kernel& clear = program_.kernel("clear_canvas");
         clear.set_from(0, pixels(), chunk());
-        clear.set_from(scene_.bind(clear, 2), canvas_);
+        clear.set_from(scene_.bind(clear, 2), painter_.canvas);
         clear.launch(shares(pixels(), chunk()), context_.profiler);
         tiles_.find(program_, scene_, chunk(), context_.profiler);
         for (uint32_t first = 0; first < scene_.primitives();) {
-            first += tiles_.list(program_, order_, first, scene_.primitives() - first,
+            first += tiles_.list(program_, painter_.order, first, scene_.primitives() - first,
                                  context_.profiler);
             paint();
             if (!keep_going()) return false;
         }
         gpu::Kernel& resolve = program_.kernel("resolve_canvas");
-        resolve.set_from(0, pixels(), chunk(), canvas_, film_.sums(), statistics_);
+        resolve.set_from(0, pixels(), chunk(), painter_.canvas, film_.sums(), painter_.statistics);
         resolve.launch(shares(pixels(), chunk()), context_.profiler);
         context_.device().finish();
         return true;
@@ -122,18 +133,18 @@ class TilePainter : public Painter {
         kernel.set(0, paint_items());
         const uint32_t next = kernel.set_from(scene_.bind_scene(kernel, 1), rows());
         kernel.set_from(scene_.bind(kernel, next), tiles_.across(), tiles_.begins(), tiles_.lists(),
-                        canvas_);
+                        painter_.canvas);
         kernel.launch(paint_items(), context_.profiler);
         context_.device().finish();
     }
 
     IntegratorContext context_;
     RenderOptions options_;
+    RenderBuffers buffers_;
     RasterScene scene_;
     Film film_;
+    PainterBuffers painter_;
     RasterTiles tiles_;
-    gpu::Buffer<cl_float4> canvas_;
-    gpu::Buffer<uint32_t> statistics_, keys_, order_;
     RadixSort sort_;
     gpu::Program program_;
     gpu::BuildReport report_;
@@ -141,6 +152,13 @@ class TilePainter : public Painter {
 };
 
 } // namespace
+
+void plan_painter(RenderBuffers& buffers, const Scene& scene, const RenderOptions& options,
+                  const gpu::DeviceFacts& facts) {
+    const PackedRaster packed = pack_raster(scene, scene.cameras.at(options.camera), options);
+    RasterBuffers(buffers.scene, packed);
+    PainterBuffers(buffers, packed.record, facts, MOST_TILE_ENTRIES);
+}
 
 std::unique_ptr<Painter> make_painter(const IntegratorContext& context, uint32_t most_entries) {
     return std::make_unique<TilePainter>(context, most_entries);

@@ -19,6 +19,10 @@ class Painter : public Integrator {
 /// Entries of the lists of all tiles; primitives are painted in as many groups as that takes.
 inline constexpr uint32_t MOST_TILE_ENTRIES = 1u << 22;
 
+/// States the buffers of a painter of these options.
+void plan_painter(RenderBuffers& buffers, const Scene& scene, const RenderOptions& options,
+                  const gpu::DeviceFacts& facts);
+
 std::unique_ptr<Painter> make_painter(const IntegratorContext& context,
                                       uint32_t most_entries = MOST_TILE_ENTRIES);
 

@@ -5,11 +5,6 @@
 namespace onde {
 namespace {
 
-template <class T>
-gpu::Buffer<T> copy(const gpu::Device& device, const std::vector<T>& values) {
-    return gpu::Buffer<T>(device, std::span<const T>(values));
-}
-
 /// Of the R2 sequence, as docs/whitted.md defines it.
 float sample_offset(uint32_t sample, uint32_t step) {
     return float((0x80000000u + sample * step) >> 8) * 0x1p-24f;
@@ -17,17 +12,22 @@ float sample_offset(uint32_t sample, uint32_t step) {
 
 } // namespace
 
-RasterScene::RasterScene(const IntegratorContext& c)
+RasterBuffers::RasterBuffers(gpu::BufferList& buffers, const PackedRaster& packed)
+    : frame(buffers.add<FrameRecord>("frame", 1)),
+      record(buffers.add_copy("raster settings", std::vector{packed.record})),
+      instances(buffers.add_copy("raster instances", packed.instances)),
+      positions(buffers.add_copy("raster vertices", packed.positions)),
+      triangles(buffers.add_copy("raster triangles", packed.triangles)),
+      triangle_materials(buffers.add_copy("raster triangle materials", packed.triangle_materials)),
+      spheres(buffers.add_copy("raster spheres", packed.spheres)),
+      materials(buffers.add_copy("raster materials", packed.materials)),
+      uvs(buffers.add_copy("raster texture coordinates", packed.uvs)) {}
+
+RasterScene::RasterScene(const IntegratorContext& c, RenderBuffers& buffers)
     : scene_(c.scene), packed_(pack_raster(*c.description, c.camera, c.options)),
-      frame_(c.device(), 1), record_(c.device(), std::span<const RasterRecord>(&packed_.record, 1)),
-      instances_(copy(c.device(), packed_.instances)),
-      positions_(copy(c.device(), packed_.positions)),
-      triangles_(copy(c.device(), packed_.triangles)),
-      triangle_materials_(copy(c.device(), packed_.triangle_materials)),
-      spheres_(copy(c.device(), packed_.spheres)), materials_(copy(c.device(), packed_.materials)),
-      uvs_(copy(c.device(), packed_.uvs)) {
+      buffers_(buffers.scene, packed_) {
     const FrameRecord frame = make_frame(c.scene.packed(), c.camera, c.options);
-    frame_.write(c.device(), std::span(&frame, 1));
+    buffers_.frame.write(c.device(), std::span(&frame, 1));
 }
 
 void RasterScene::set_sample(uint32_t sample) {
@@ -36,20 +36,15 @@ void RasterScene::set_sample(uint32_t sample) {
 }
 
 uint32_t RasterScene::bind(gpu::Kernel& kernel, uint32_t first) const {
-    return kernel.set_from(first, record_, instances_, positions_, triangles_, triangle_materials_,
-                           spheres_, materials_, uvs_, offset_x_, offset_y_);
+    const RasterBuffers& b = buffers_;
+    return kernel.set_from(first, b.record, b.instances, b.positions, b.triangles,
+                           b.triangle_materials, b.spheres, b.materials, b.uvs, offset_x_,
+                           offset_y_);
 }
 
 uint32_t RasterScene::bind_scene(gpu::Kernel& kernel, uint32_t first) const {
-    kernel.set(first, frame_);
+    kernel.set(first, buffers_.frame);
     return scene_.bind(kernel, first + 1);
-}
-
-uint64_t RasterScene::bytes() const {
-    const auto size = [](const auto& buffer) { return buffer.size() * sizeof(uint32_t); };
-    return size(positions_) + size(triangles_) + size(triangle_materials_) + size(uvs_) +
-           instances_.size() * sizeof(RasterInstance) + spheres_.size() * sizeof(RasterSphere) +
-           materials_.size() * sizeof(RasterMaterial);
 }
 
 gpu::Program build_raster(const IntegratorContext& context, const std::string& file,

@@ -7,9 +7,23 @@
 
 namespace onde {
 
+/// The packed primitives in device memory.
+struct RasterBuffers {
+    gpu::Buffer<FrameRecord> frame;
+    gpu::Buffer<RasterRecord> record;
+    gpu::Buffer<RasterInstance> instances;
+    gpu::Buffer<float> positions;
+    gpu::Buffer<uint32_t> triangles, triangle_materials;
+    gpu::Buffer<RasterSphere> spheres;
+    gpu::Buffer<RasterMaterial> materials;
+    gpu::Buffer<float> uvs;
+
+    RasterBuffers(gpu::BufferList& buffers, const PackedRaster& packed);
+};
+
 class RasterScene {
   public:
-    explicit RasterScene(const IntegratorContext& context);
+    RasterScene(const IntegratorContext& context, RenderBuffers& buffers);
 
     /// The sample of every pixel that kernels draw, once they are bound after this.
     void set_sample(uint32_t sample);
@@ -23,19 +37,11 @@ class RasterScene {
     const RasterRecord& record() const { return packed_.record; }
     uint32_t primitives() const { return packed_.record.primitive_count; }
     const std::vector<std::string>& notes() const { return packed_.notes; }
-    uint64_t bytes() const;
 
   private:
     const DeviceScene& scene_;
     PackedRaster packed_;
-    gpu::Buffer<FrameRecord> frame_;
-    gpu::Buffer<RasterRecord> record_;
-    gpu::Buffer<RasterInstance> instances_;
-    gpu::Buffer<float> positions_;
-    gpu::Buffer<uint32_t> triangles_, triangle_materials_;
-    gpu::Buffer<RasterSphere> spheres_;
-    gpu::Buffer<RasterMaterial> materials_;
-    gpu::Buffer<float> uvs_;
+    RasterBuffers buffers_;
     float offset_x_ = 0.5f, offset_y_ = 0.5f;
 };
 

@@ -15,13 +15,15 @@ uint32_t tiles_along(uint32_t pixels) {
 
 } // namespace
 
-RasterTiles::RasterTiles(const gpu::Device& device, const RasterRecord& record,
+TileBuffers::TileBuffers(gpu::BufferList& buffers, const RasterRecord& record,
                          uint32_t most_entries)
-    : device_(device), across_(tiles_along(record.width)), down_(tiles_along(record.height)),
-      most_blocks_(std::clamp(MOST_COUNTERS / count(), 1u, MOST_BLOCKS)),
-      table_(device, size_t(most_blocks_) * count()), totals_(device, count()),
-      begins_(device, count() + 1), lists_(device, std::max(most_entries, count())),
-      touched_(device, record.primitive_count) {}
+    : across(tiles_along(record.width)), down(tiles_along(record.height)),
+      most_blocks(std::clamp(MOST_COUNTERS / count(), 1u, MOST_BLOCKS)),
+      table(buffers.add<uint32_t>("tile counts", size_t(most_blocks) * count())),
+      totals(buffers.add<uint32_t>("tile totals", count())),
+      begins(buffers.add<uint32_t>("tile begins", count() + 1)),
+      lists(buffers.add<uint32_t>("tile lists", std::max(most_entries, count()))),
+      touched(buffers.add<cl_ushort4>("touched tiles", record.primitive_count)) {}
 
 uint32_t RasterTiles::most_primitives() const {
     return uint32_t(std::min(MOST_PRIMITIVES, UINT32_MAX / uint64_t(count()))); // counts fit
@@ -32,17 +34,18 @@ void RasterTiles::find(gpu::Program& program, const RasterScene& scene, uint32_t
     const uint32_t count = scene.primitives();
     gpu::Kernel& kernel = program.kernel("find_tiles");
     kernel.set_from(0, count, chunk);
-    kernel.set_from(scene.bind(kernel, 2), touched_);
+    kernel.set_from(scene.bind(kernel, 2), buffers_.touched);
     kernel.launch((size_t(count) + chunk - 1) / chunk, profiler);
 }
 
 uint32_t RasterTiles::list(gpu::Program& program, const gpu::Buffer<uint32_t>& order,
                            uint32_t first, uint32_t count, gpu::Profiler* profiler) {
     count = std::min(count, most_primitives());
-    while (count_entries(program, order, first, count, profiler) > lists_.size()) count /= 2;
+    while (count_entries(program, order, first, count, profiler) > buffers_.lists.size())
+        count /= 2;
     gpu::Kernel& fill = program.kernel("fill_tiles");
-    fill.set_from(0, count, block(count), first, order, touched_, across_, this->count(), table_,
-                  begins_, lists_);
+    fill.set_from(0, count, block(count), first, order, buffers_.touched, buffers_.across,
+                  this->count(), buffers_.table, buffers_.begins, buffers_.lists);
     fill.launch((count + block(count) - 1) / block(count), profiler);
     return count;
 }
@@ -51,26 +54,21 @@ uint64_t RasterTiles::count_entries(gpu::Program& program, const gpu::Buffer<uin
                                     uint32_t first, uint32_t count, gpu::Profiler* profiler) {
     const uint32_t blocks = (count + block(count) - 1) / block(count);
     gpu::Kernel& counting = program.kernel("count_tiles");
-    counting.set_from(0, count, block(count), first, order, touched_, across_, this->count(),
-                      table_);
+    counting.set_from(0, count, block(count), first, order, buffers_.touched, buffers_.across,
+                      this->count(), buffers_.table);
     counting.launch(blocks, profiler);
     gpu::Kernel& scan = program.kernel("scan_columns");
-    scan.set_from(0, this->count(), blocks, table_, totals_);
+    scan.set_from(0, this->count(), blocks, buffers_.table, buffers_.totals);
     scan.launch(this->count(), profiler);
 
     std::vector<uint32_t> begins{0};
     uint64_t sum = 0;
-    for (uint32_t total : totals_.read(device_)) {
+    for (uint32_t total : buffers_.totals.read(device_)) {
         sum += total;
         begins.push_back(uint32_t(sum));
     }
-    begins_.write(device_, begins);
+    buffers_.begins.write(device_, begins);
     return sum;
-}
-
-uint64_t RasterTiles::bytes() const {
-    return (table_.size() + totals_.size() + begins_.size() + lists_.size()) * sizeof(uint32_t) +
-           touched_.size() * sizeof(cl_ushort4);
 }
 
 } // namespace onde

@@ -1,31 +1,34 @@
 #include "render/engine.h"
 
 #include "render/frame.h"
+#include "render/wave_memory.h"
 
 #include <algorithm>
 #include <bit>
 
 namespace onde {
 
+JobBuffers::JobBuffers(gpu::BufferList& buffers, const RenderOptions& options)
+    : frame(buffers.add<FrameRecord>("frame", 1)),
+      counters(buffers.add_filled("ray counters", COUNTER_SIZE, uint32_t(0))),
+      totals(buffers.add_filled("ray totals", COUNTER_SIZE, uint64_t(0))),
+      pixel_order(buffers.add<uint32_t>("pixel order", size_t(options.width) * options.height)) {}
+
 KernelArguments::KernelArguments(const EngineContext& context)
     : device_(context.device()), scene_(context.scene), film_(context.film),
-      frame_(context.device(), 1), counters_(context.device(), COUNTER_SIZE),
-      totals_(context.device(), COUNTER_SIZE) {
+      job_(context.buffers.film, context.options) {
     const RenderOptions& options = context.options;
     const FrameRecord frame = make_frame(context.scene.packed(), context.camera, options);
-    frame_.write(context.device(), std::span(&frame, 1));
-    counters_.fill(context.device(), 0u);
-    totals_.fill(context.device(), uint64_t(0));
-    const std::vector<uint32_t> order = pixel_order(options.width, options.height);
-    pixel_order_ = gpu::Buffer<uint32_t>(context.device(), std::span(order));
+    job_.frame.write(device_, std::span(&frame, 1));
+    job_.pixel_order.write(device_, pixel_order(options.width, options.height));
 }
 
 uint32_t KernelArguments::bind(gpu::Kernel& kernel) const {
     kernel.set(0, uint32_t(0));
-    kernel.set(1, frame_);
+    kernel.set(1, job_.frame);
     const uint32_t job = scene_.bind(kernel, 2);
     const uint32_t wave =
-        kernel.set_from(job, counters_, film_.invalid(), film_.sums(), pixel_order_);
+        kernel.set_from(job, job_.counters, film_.invalid(), film_.sums(), job_.pixel_order);
     return wave + WAVE_ARGUMENTS;
 }
 
@@ -37,12 +40,12 @@ void KernelArguments::set_wave(gpu::Kernel& kernel, const Wave& wave, uint32_t c
 
 void KernelArguments::tally(gpu::Program& program, gpu::Profiler* profiler) const {
     gpu::Kernel& kernel = program.kernel("tally");
-    kernel.set_from(0, uint32_t(COUNTER_SIZE), counters_, totals_);
+    kernel.set_from(0, uint32_t(COUNTER_SIZE), job_.counters, job_.totals);
     kernel.launch(COUNTER_SIZE, profiler);
 }
 
 std::vector<uint64_t> KernelArguments::counters() const {
-    return totals_.read(device_);
+    return job_.totals.read(device_);
 }
 
 gpu::Program build_engine(const EngineContext& context, const std::string& file,
@@ -69,6 +72,11 @@ gpu::Program build_engine(const EngineContext& context, const std::string& file,
         request.kernels.push_back({name, settings.local_size, items});
     request.kernels.push_back({"tally", settings.local_size, COUNTER_SIZE});
     return context.programs.build(request);
+}
+
+void plan_engine(RenderBuffers& buffers, const RenderOptions& options) {
+    JobBuffers(buffers.film, options);
+    if (options.engine == Engine::wavefront) WaveMemory(buffers.paths, options.settings);
 }
 
 std::unique_ptr<EngineDriver> make_engine(const EngineContext& context) {

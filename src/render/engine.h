@@ -4,6 +4,7 @@
 
 #include "gpu/program.h"
 #include "render/film.h"
+#include "render/memory_plan.h"
 #include "render/options.h"
 #include "upload/device_scene.h"
 
@@ -27,6 +28,7 @@ struct Wave {
 /// What every engine needs; the referenced objects outlive it.
 struct EngineContext {
     gpu::Programs& programs;
+    RenderBuffers& buffers; ///< in which the engine's are listed
     const DeviceScene& scene;
     const Film& film;
     const Camera& camera;
@@ -34,6 +36,16 @@ struct EngineContext {
     gpu::Profiler* profiler; ///< null: launches are not timed
 
     const gpu::Device& device() const { return programs.device(); }
+};
+
+/// The buffers of a picture that all engines have, beside the film.
+struct JobBuffers {
+    gpu::Buffer<FrameRecord> frame;
+    gpu::Buffer<uint32_t> counters;
+    gpu::Buffer<uint64_t> totals;
+    gpu::Buffer<uint32_t> pixel_order;
+
+    JobBuffers(gpu::BufferList& buffers, const RenderOptions& options);
 };
 
 /// The parameters that all kernels of all engines share, and their places.
@@ -59,10 +71,7 @@ class KernelArguments {
     const gpu::Device& device_;
     const DeviceScene& scene_;
     const Film& film_;
-    gpu::Buffer<FrameRecord> frame_;
-    gpu::Buffer<uint32_t> counters_;
-    gpu::Buffer<uint64_t> totals_;
-    gpu::Buffer<uint32_t> pixel_order_;
+    JobBuffers job_;
 };
 
 class EngineDriver {
@@ -77,13 +86,14 @@ class EngineDriver {
     virtual uint32_t sample_capacity() const = 0;
     virtual std::vector<uint64_t> counters() const = 0;
     virtual const gpu::BuildReport& build_report() const = 0;
-    /// Bytes of device memory for paths in flight.
-    virtual uint64_t state_bytes() const = 0;
 };
 
 std::unique_ptr<EngineDriver> make_staged_wavefront(const EngineContext& context);
 std::unique_ptr<EngineDriver> make_fused_wavefront(const EngineContext& context);
 std::unique_ptr<EngineDriver> make_megakernel(const EngineContext& context);
+
+/// States the buffers of an engine of these options.
+void plan_engine(RenderBuffers& buffers, const RenderOptions& options);
 
 /// The engine that the options name.
 std::unique_ptr<EngineDriver> make_engine(const EngineContext& context);

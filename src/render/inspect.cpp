@@ -37,12 +37,15 @@ class Inspection {
   public:
     Inspection(const IntegratorContext& c, const PixelSample& at)
         : device_(c.device()), options_(single_path(c.options)), wave_(wave_of(options_, at)),
-          film_(c.device(), options_.width, options_.height), engine_{c.programs, c.scene,
-                                                                      film_,      c.camera,
-                                                                      options_,   nullptr},
+          buffers_(c.device()),
+          film_(c.device(), options_.width, options_.height), engine_{c.programs, buffers_,
+                                                                      c.scene,    film_,
+                                                                      c.camera,   options_,
+                                                                      nullptr},
           arguments_(engine_) {}
 
     const RenderOptions& options() const { return options_; }
+    gpu::BufferList& buffers() { return buffers_.paths; }
 
     gpu::Program build(const std::string& file, const std::string& kernel,
                        const std::vector<std::string>& defines) const {
@@ -63,6 +66,7 @@ class Inspection {
     const gpu::Device& device_;
     RenderOptions options_;
     Wave wave_;
+    RenderBuffers buffers_;
     Film film_;
     EngineContext engine_;
     KernelArguments arguments_;
@@ -71,9 +75,9 @@ class Inspection {
 } // namespace
 
 TreeReport inspect_whitted(const IntegratorContext& c, const PixelSample& at) {
-    const Inspection inspection(c, at);
+    Inspection inspection(c, at);
     const PackedWhitted packed = pack_whitted(*c.description, c.options.depth);
-    const TreeMemory memory(c.device(), inspection.options(), packed);
+    const TreeMemory memory(inspection.buffers(), inspection.options(), packed);
     std::vector<std::string> defines = packed.defines();
     gpu::Program program = inspection.build("inspect/whitted.cl", "inspect_whitted", defines);
     gpu::Kernel& kernel = program.kernel("inspect_whitted");

@@ -28,7 +28,8 @@ class Integrator {
     virtual const Film& film() const = 0;
     virtual RayCounts ray_counts() const = 0;
     virtual const gpu::BuildReport& build_report() const = 0;
-    virtual uint64_t state_bytes() const = 0;
+    /// What was allocated for the render, beside the device scene.
+    virtual const RenderBuffers& buffers() const = 0;
     /// What the integrator has to say about the render at its end, a sentence each.
     virtual std::vector<std::string> findings() const { return {}; }
 };

@@ -9,8 +9,8 @@
 namespace onde {
 namespace {
 
-EngineContext engine_context(const IntegratorContext& c, const Film& film) {
-    return {c.programs, c.scene, film, c.camera, c.options, c.profiler};
+EngineContext engine_context(const IntegratorContext& c, RenderBuffers& buffers, const Film& film) {
+    return {c.programs, buffers, c.scene, film, c.camera, c.options, c.profiler};
 }
 
 const IntegratorContext& checked(const IntegratorContext& context) {
@@ -32,25 +32,27 @@ double percent(uint64_t part, uint64_t whole) {
 
 } // namespace
 
+LightBuffers::LightBuffers(RenderBuffers& buffers, const RenderOptions& options)
+    : splats(buffers.film.add_filled("splats", size_t(options.width) * options.height * SPLAT_WORDS,
+                                     uint32_t(0))),
+      statistics(buffers.film.add_filled("light statistics", 2 * LIGHT_STATISTICS, uint32_t(0))),
+      setup(buffers.film.add<LightTracingRecord>("light tracing", 1)),
+      state(buffers.paths.add<float>("light paths", light_state_size(options.settings))) {}
+
 LightIntegrator::LightIntegrator(const IntegratorContext& context)
     : device_(checked(context).device()), options_(context.options), profiler_(context.profiler),
       has_mirrors_(has_smooth_lobes(*context.description)),
-      hidden_emitters_(count_hidden_emitters(context.scene.packed())),
-      film_(device_, options_.width, options_.height),
-      splats_(device_, size_t(options_.width) * options_.height * SPLAT_WORDS),
-      statistics_(device_, 2 * LIGHT_STATISTICS), setup_(device_, 1),
-      state_(device_, light_state_size(options_.settings)),
-      arguments_(engine_context(context, film_)),
-      program_(build_engine(engine_context(context, film_), "wavefront/light_tracing.cl",
+      hidden_emitters_(count_hidden_emitters(context.scene.packed())), buffers_(device_),
+      film_(device_, options_.width, options_.height), light_(buffers_, options_),
+      arguments_(engine_context(context, buffers_, film_)),
+      program_(build_engine(engine_context(context, buffers_, film_), "wavefront/light_tracing.cl",
                             {"light_tracing", "resolve"})) {
     const LightTracingRecord setup = make_light_tracing(*context.description, options_);
     splat_scale_ = setup.splat_scale;
-    setup_.write(device_, std::span(&setup, 1));
-    splats_.fill(device_, 0u);
-    statistics_.fill(device_, 0u);
+    light_.setup.write(device_, std::span(&setup, 1));
     gpu::Kernel& kernel = program_.kernel("light_tracing");
-    kernel.set_from(arguments_.bind(kernel), setup_, splats_, statistics_, state_,
-                    uint32_t(state_.size() / LIGHT_LANES));
+    kernel.set_from(arguments_.bind(kernel), light_.setup, light_.splats, light_.statistics,
+                    light_.state, uint32_t(light_.state.size() / LIGHT_LANES));
 }
 
 void LightIntegrator::render_pass(uint32_t first, uint32_t count,
@@ -79,7 +81,7 @@ void LightIntegrator::resolve() {
     const uint32_t pixels = options_.width * options_.height, chunk = options_.settings.chunk;
     const float scale = 1.0f / (splat_scale_ * float(pixels));
     gpu::Kernel& kernel = program_.kernel("resolve");
-    kernel.set_from(0, pixels, chunk, splats_, film_.sums(), scale,
+    kernel.set_from(0, pixels, chunk, light_.splats, film_.sums(), scale,
                     float(double(emitted_) / pixels));
     kernel.launch((pixels + chunk - 1) / chunk, profiler_);
     device_.finish();
@@ -98,7 +100,7 @@ RayCounts LightIntegrator::ray_counts() const {
 }
 
 std::vector<uint64_t> LightIntegrator::statistics() const {
-    const std::vector<uint32_t> words = statistics_.read(device_);
+    const std::vector<uint32_t> words = light_.statistics.read(device_);
     std::vector<uint64_t> sums(LIGHT_STATISTICS);
     for (size_t i = 0; i < sums.size(); i++)
         sums[i] = uint64_t(words[2 * i + 1]) << 32 | words[2 * i];
@@ -126,6 +128,11 @@ std::vector<std::string> LightIntegrator::findings() const {
                         "at; their light is missing",
                         hidden_emitters_));
     return sentences;
+}
+
+void plan_light_integrator(RenderBuffers& buffers, const RenderOptions& options) {
+    JobBuffers(buffers.film, options);
+    LightBuffers(buffers, options);
 }
 
 std::unique_ptr<Integrator> make_light_integrator(const IntegratorContext& context) {

@@ -15,6 +15,18 @@ struct LightCounts {
     uint64_t unblocked = 0;   ///< of them, those with nothing in between
 };
 
+/// The buffers of light tracing, beside those of all integrators.
+struct LightBuffers {
+    gpu::Buffer<uint32_t> splats, statistics;
+    gpu::Buffer<LightTracingRecord> setup;
+    gpu::Buffer<float> state;
+
+    LightBuffers(RenderBuffers& buffers, const RenderOptions& options);
+};
+
+/// States the buffers of a light tracer of these options.
+void plan_light_integrator(RenderBuffers& buffers, const RenderOptions& options);
+
 class LightIntegrator : public Integrator {
   public:
     /// Throws InputError for a scene in which nothing emits.
@@ -26,7 +38,7 @@ class LightIntegrator : public Integrator {
     const Film& film() const override { return film_; }
     RayCounts ray_counts() const override;
     const gpu::BuildReport& build_report() const override { return program_.report(); }
-    uint64_t state_bytes() const override { return state_.size() * sizeof(float); }
+    const RenderBuffers& buffers() const override { return buffers_; }
     std::vector<std::string> findings() const override;
 
     LightCounts counts() const;
@@ -41,10 +53,9 @@ class LightIntegrator : public Integrator {
     gpu::Profiler* profiler_;
     bool has_mirrors_;
     uint64_t hidden_emitters_;
+    RenderBuffers buffers_;
     Film film_;
-    gpu::Buffer<uint32_t> splats_, statistics_;
-    gpu::Buffer<LightTracingRecord> setup_;
-    gpu::Buffer<float> state_;
+    LightBuffers light_;
     float splat_scale_;
     KernelArguments arguments_;
     gpu::Program program_;

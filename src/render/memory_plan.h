@@ -1,23 +1,38 @@
 // What a render takes on the device, known before anything is allocated.
 #pragma once
 
-#include "render/options.h"
-#include "upload/pack.h"
+#include "gpu/buffer_list.h"
 
+#include <string>
 #include <vector>
 
 namespace onde {
 
-/// The buffers of a render, in three groups. Small ones (frame, counters) are left out.
+/// The sizes of a render's buffers, in three groups.
 struct MemoryPlan {
-    std::vector<BufferSize> scene, paths, film;
+    std::vector<gpu::BufferSize> scene, paths, film;
 
-    uint64_t bytes() const { return total_bytes(scene) + total_bytes(paths) + total_bytes(film); }
+    /// Adds the buffers of a packed scene.
+    void add_scene(const std::vector<gpu::BufferSize>& buffers) {
+        scene.insert(scene.begin(), buffers.begin(), buffers.end());
+    }
+    uint64_t bytes() const {
+        return gpu::total_bytes(scene) + gpu::total_bytes(paths) + gpu::total_bytes(film);
+    }
 };
 
-/// The plan of a render with these options. The scene's part is packed.device_buffers(); it stays
-/// empty for the caller to fill in.
-MemoryPlan plan_memory(const RenderOptions& options);
+/// The lists of an integrator's buffers, in the groups of the plan; those of the packed scene are
+/// in none of them.
+struct RenderBuffers {
+    gpu::BufferList scene, paths, film;
+
+    /// A plan: nothing is allocated.
+    RenderBuffers() = default;
+    explicit RenderBuffers(const gpu::Device& device)
+        : scene(device), paths(device), film(device) {}
+
+    MemoryPlan sizes() const { return {scene.sizes(), paths.sizes(), film.sizes()}; }
+};
 
 /// Throws DeviceError, with what is needed and what there is, when a buffer is larger than the
 /// device allows or all of them are larger than its memory.

@@ -16,7 +16,7 @@ class SingleLaunch : public EngineDriver {
           program_(build_engine(context, file, {kernel})), kernel_(program_.kernel(kernel)) {
         const uint32_t after = arguments_.bind(kernel_);
         if (!has_state) return;
-        memory_.emplace(context.device(), settings_);
+        memory_.emplace(context.buffers.paths, settings_);
         memory_->bind(kernel_, after, 0, false);
     }
 
@@ -30,7 +30,6 @@ class SingleLaunch : public EngineDriver {
     uint32_t sample_capacity() const override { return settings_.chunk; }
     std::vector<uint64_t> counters() const override { return arguments_.counters(); }
     const gpu::BuildReport& build_report() const override { return program_.report(); }
-    uint64_t state_bytes() const override { return memory_ ? memory_->bytes() : 0; }
 
   private:
     gpu::DeviceSettings settings_;

@@ -11,7 +11,8 @@ class StagedWavefront : public EngineDriver {
   public:
     explicit StagedWavefront(const EngineContext& context)
         : settings_(context.options.settings), depth_(context.options.depth),
-          profiler_(context.profiler), arguments_(context), memory_(context.device(), settings_),
+          profiler_(context.profiler), arguments_(context),
+          memory_(context.buffers.paths, settings_),
           program_(build_engine(
               context, "wavefront/staged.cl",
               {"generate", "intersect", "shade", "shadow_test", "extend", "accumulate"})) {}
@@ -32,7 +33,6 @@ class StagedWavefront : public EngineDriver {
     uint32_t sample_capacity() const override { return settings_.wave_size; }
     std::vector<uint64_t> counters() const override { return arguments_.counters(); }
     const gpu::BuildReport& build_report() const override { return program_.report(); }
-    uint64_t state_bytes() const override { return memory_.bytes(); }
 
   private:
     void launch(const char* stage, const Wave& wave, uint32_t bounce) {

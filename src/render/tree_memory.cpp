@@ -28,20 +28,16 @@ struct Sizes {
 
 } // namespace
 
-TreeMemory::TreeMemory(const gpu::Device& device, const RenderOptions& options,
+TreeMemory::TreeMemory(gpu::BufferList& buffers, const RenderOptions& options,
                        const PackedWhitted& scene)
     : chunk_(options.settings.chunk), stride_(Sizes(options).stride),
-      capacity_(Sizes(options).capacity), bytes_(total_bytes(plan(options))),
-      settings_(device, std::span(&scene.settings, 1)), phong_(device, std::span(scene.phong)),
-      sources_(device, std::span(scene.sources)), unfinished_(device, Sizes(options).items),
-      levels_(device, Sizes(options).levels), nodes_(device, Sizes(options).nodes) {}
-
-std::vector<BufferSize> TreeMemory::plan(const RenderOptions& options) {
-    const Sizes sizes(options);
-    return {{"ray trees", sizes.nodes * sizeof(float)},
-            {"tree levels", sizes.levels * sizeof(uint32_t)},
-            {"unfinished paths", sizes.items * sizeof(uint32_t)}};
-}
+      capacity_(Sizes(options).capacity),
+      settings_(buffers.add_copy("Whitted settings", std::vector{scene.settings})),
+      phong_(buffers.add_copy("Phong materials", scene.phong)),
+      sources_(buffers.add_copy("light sources", scene.sources)),
+      unfinished_(buffers.add<uint32_t>("unfinished paths", Sizes(options).items)),
+      levels_(buffers.add<uint32_t>("tree levels", Sizes(options).levels)),
+      nodes_(buffers.add<float>("ray trees", Sizes(options).nodes)) {}
 
 void TreeMemory::bind(gpu::Kernel& kernel, uint32_t first, uint32_t level) const {
     kernel.set_from(first, settings_, phong_, sources_, unfinished_, nodes_, levels_, stride_,

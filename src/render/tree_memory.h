@@ -1,10 +1,9 @@
 // The memory of the Whitted estimator's ray trees; its layout is kernels/wavefront/tree_state.h.
 #pragma once
 
-#include "gpu/buffer.h"
+#include "gpu/buffer_list.h"
 #include "gpu/program.h"
 #include "render/options.h"
-#include "upload/pack.h"
 #include "upload/whitted.h"
 
 namespace onde {
@@ -12,7 +11,7 @@ namespace onde {
 class TreeMemory {
   public:
     /// Arenas for settings.wave_size / settings.chunk work items, or none for the megakernel.
-    TreeMemory(const gpu::Device& device, const RenderOptions& options, const PackedWhitted& scene);
+    TreeMemory(gpu::BufferList& buffers, const RenderOptions& options, const PackedWhitted& scene);
 
     static constexpr uint32_t PARAMETERS = 9;
     /// Binds TREE_PARAMETERS of kernels/chapter/whitted/parameters.h from `first` on.
@@ -22,14 +21,8 @@ class TreeMemory {
     /// Whether some path of the wave is still to be done. Waits for the device.
     bool is_unfinished(const gpu::Device& device, uint32_t paths) const;
 
-    uint64_t bytes() const { return bytes_; }
-
-    /// The buffers that a TreeMemory of these options is made of.
-    static std::vector<BufferSize> plan(const RenderOptions& options);
-
   private:
     uint32_t chunk_, stride_, capacity_;
-    uint64_t bytes_;
     gpu::Buffer<WhittedRecord> settings_;
     gpu::Buffer<PhongRecord> phong_;
     gpu::Buffer<SourceRecord> sources_;

@@ -27,9 +27,9 @@ namespace {
 class WaveIntegrator : public Integrator {
   public:
     WaveIntegrator(const IntegratorContext& c, const EngineFactory& make)
-        : device_(c.device()), options_(checked(c.options)),
+        : device_(c.device()), options_(checked(c.options)), buffers_(c.device()),
           film_(c.device(), c.options.width, c.options.height),
-          engine_(make({c.programs, c.scene, film_, c.camera, options_, c.profiler})) {}
+          engine_(make({c.programs, buffers_, c.scene, film_, c.camera, options_, c.profiler})) {}
 
     void render_pass(uint32_t first, uint32_t count,
                      const std::function<bool(double)>& keep_going) override {
@@ -50,7 +50,7 @@ class WaveIntegrator : public Integrator {
 
     const Film& film() const override { return film_; }
     const gpu::BuildReport& build_report() const override { return engine_->build_report(); }
-    uint64_t state_bytes() const override { return engine_->state_bytes(); }
+    const RenderBuffers& buffers() const override { return buffers_; }
 
     RayCounts ray_counts() const override { return ray_counts_of(engine_->counters()); }
 
@@ -62,6 +62,7 @@ class WaveIntegrator : public Integrator {
 
     const gpu::Device& device_;
     RenderOptions options_;
+    RenderBuffers buffers_;
     Film film_;
     std::unique_ptr<EngineDriver> engine_;
 };

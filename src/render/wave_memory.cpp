@@ -8,39 +8,17 @@ constexpr uint32_t STATE_LANES = 17, SHADOW_LANES = 10; // as in kernels/wavefro
 /// Lanes a power of two apart would fall into the same cache sets.
 constexpr uint32_t LANE_PADDING = 272;
 
-uint32_t stride(const gpu::DeviceSettings& settings) {
-    return settings.wave_size + LANE_PADDING;
-}
-
-// How many elements the buffers have.
-size_t state_count(const gpu::DeviceSettings& settings) {
-    return size_t(stride(settings)) * STATE_LANES;
-}
-size_t next_state_count(const gpu::DeviceSettings& settings) {
-    return settings.queue == gpu::QueueKind::global ? state_count(settings) : 1;
-}
-size_t shadow_count(const gpu::DeviceSettings& settings) {
-    return size_t(stride(settings)) * SHADOW_LANES;
-}
-size_t live_count(const gpu::DeviceSettings& settings) {
-    return settings.wave_size / settings.chunk + 1;
-}
-
 } // namespace
 
-WaveMemory::WaveMemory(const gpu::Device& device, const gpu::DeviceSettings& settings)
-    : bytes_(total_bytes(plan(settings))), stride_(stride(settings)),
-      state_(device, state_count(settings)), next_state_(device, next_state_count(settings)),
-      shadow_(device, shadow_count(settings)), radiance_(device, settings.wave_size),
-      live_(device, live_count(settings)) {}
-
-std::vector<BufferSize> WaveMemory::plan(const gpu::DeviceSettings& settings) {
-    return {{"path states", state_count(settings) * sizeof(float)},
-            {"next path states", next_state_count(settings) * sizeof(float)},
-            {"shadow rays", shadow_count(settings) * sizeof(float)},
-            {"path radiance", settings.wave_size * sizeof(cl_float4)},
-            {"live counts", live_count(settings) * sizeof(uint32_t)}};
-}
+WaveMemory::WaveMemory(gpu::BufferList& buffers, const gpu::DeviceSettings& settings)
+    : stride_(settings.wave_size + LANE_PADDING),
+      state_(buffers.add<float>("path states", size_t(stride_) * STATE_LANES)),
+      next_state_(buffers.add<float>("next path states", settings.queue == gpu::QueueKind::global
+                                                             ? size_t(stride_) * STATE_LANES
+                                                             : 1)),
+      shadow_(buffers.add<float>("shadow rays", size_t(stride_) * SHADOW_LANES)),
+      radiance_(buffers.add<cl_float4>("path radiance", settings.wave_size)),
+      live_(buffers.add<uint32_t>("live counts", settings.wave_size / settings.chunk + 1)) {}
 
 void WaveMemory::bind(gpu::Kernel& kernel, uint32_t first, uint32_t bounce, bool swapped) const {
     kernel.set_from(first, swapped ? next_state_ : state_, swapped ? state_ : next_state_, shadow_,

@@ -20,7 +20,7 @@ class WhittedEngine : public EngineDriver {
   public:
     WhittedEngine(const EngineContext& context, const Scene& scene)
         : context_(context), packed_(pack_whitted(scene, context.options.depth)),
-          arguments_(context), memory_(context.device(), context.options, packed_),
+          arguments_(context), memory_(context.buffers.paths, context.options, packed_),
           first_way_(first_way(context.options)), program_(build(first_way_)) {}
 
     void render_wave(const Wave& wave) override {
@@ -36,7 +36,6 @@ class WhittedEngine : public EngineDriver {
     uint32_t sample_capacity() const override { return settings().chunk; }
     std::vector<uint64_t> counters() const override { return arguments_.counters(); }
     const gpu::BuildReport& build_report() const override { return program_.report(); }
-    uint64_t state_bytes() const override { return memory_.bytes(); }
 
   private:
     static Way first_way(const RenderOptions& options) {
@@ -98,6 +97,11 @@ class WhittedEngine : public EngineDriver {
 };
 
 } // namespace
+
+void plan_whitted_engine(RenderBuffers& buffers, const Scene& scene, const RenderOptions& options) {
+    JobBuffers(buffers.film, options);
+    TreeMemory(buffers.paths, options, pack_whitted(scene, options.depth));
+}
 
 std::unique_ptr<EngineDriver> make_whitted_engine(const EngineContext& context,
                                                   const Scene& scene) {

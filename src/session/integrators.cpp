@@ -3,6 +3,7 @@
 #include "chapter/raster_depth_buffer.h"
 #include "chapter/raster_painter.h"
 #include "core/error.h"
+#include "render/light_integrator.h"
 #include "render/wave_integrator.h"
 #include "render/whitted_engine.h"
 
@@ -24,6 +25,34 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
         return make_painter(context);
     }
     throw InputError("this integrator is not known");
+}
+
+static void plan_film(gpu::BufferList& buffers, const RenderOptions& options) {
+    buffers.add<cl_float4>("film sums", size_t(options.width) * options.height);
+}
+
+MemoryPlan plan_memory(const Scene& scene, const RenderOptions& options,
+                       const gpu::DeviceFacts& facts) {
+    RenderBuffers buffers;
+    plan_film(buffers.film, options);
+    switch (options.integrator) {
+    case IntegratorKind::path:
+        plan_engine(buffers, options);
+        break;
+    case IntegratorKind::whitted:
+        plan_whitted_engine(buffers, scene, options);
+        break;
+    case IntegratorKind::light:
+        plan_light_integrator(buffers, options);
+        break;
+    case IntegratorKind::depth_buffer:
+        plan_depth_buffer(buffers, scene, options);
+        break;
+    case IntegratorKind::painter:
+        plan_painter(buffers, scene, options, facts);
+        break;
+    }
+    return buffers.sizes();
 }
 
 } // namespace onde

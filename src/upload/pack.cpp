@@ -41,13 +41,7 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     return features;
 }
 
-uint64_t total_bytes(const std::vector<BufferSize>& buffers) {
-    uint64_t bytes = 0;
-    for (const BufferSize& buffer : buffers) bytes += buffer.bytes;
-    return bytes;
-}
-
-std::vector<BufferSize> PackedScene::device_buffers() const {
+std::vector<gpu::BufferSize> PackedScene::device_buffers() const {
     const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
     // Of nodes, and of leaves, only one kind is there.
     return {{"BVH nodes", bytes(bvh.nodes) + bytes(bvh.compressed) + bytes(bvh.pairs)},

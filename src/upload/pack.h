@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accel/bvh.h"
+#include "gpu/buffer_list.h"
 #include "scene/scene.h"
 #include "shared/frame.h"
 #include "upload/appearance.h"
@@ -24,14 +25,6 @@ struct SceneFeatures {
     std::vector<std::string> defines() const;
 };
 
-/// One device buffer: what it holds, for people, and its size.
-struct BufferSize {
-    std::string name;
-    uint64_t bytes = 0;
-};
-
-uint64_t total_bytes(const std::vector<BufferSize>& buffers);
-
 struct PackedScene {
     Bvh bvh;
     std::vector<SurfaceRecord> surfaces;
@@ -45,9 +38,9 @@ struct PackedScene {
     SceneFeatures features;
 
     /// The buffers that the scene takes on the device.
-    std::vector<BufferSize> device_buffers() const;
+    std::vector<gpu::BufferSize> device_buffers() const;
     /// Their sum.
-    uint64_t device_bytes() const { return total_bytes(device_buffers()); }
+    uint64_t device_bytes() const { return gpu::total_bytes(device_buffers()); }
 };
 
 /// The scene must satisfy check_scene().

@@ -61,7 +61,8 @@ void check_sort(RadixSort& sort, const Pairs& pairs, uint32_t count) {
 constexpr uint32_t CAPACITY = 100'000; // several blocks, and no multiple of one
 
 RadixSort small_sort() {
-    return RadixSort(programs(), CAPACITY, 1);
+    gpu::BufferList list(device());
+    return RadixSort(programs(), SortBuffers(list, device().facts(), CAPACITY), CAPACITY, 1);
 }
 
 } // namespace

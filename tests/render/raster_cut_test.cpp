@@ -55,7 +55,9 @@ TEST_CASE("the radix sort in groups of 64 sorts") {
     key_buffer.write(other, keys);
     value_buffer.write(other, values);
     gpu::Programs programs(other, kernel_sources());
-    RadixSort(programs, COUNT, 64).sort(key_buffer, value_buffer, COUNT);
+    gpu::BufferList list(other);
+    RadixSort(programs, SortBuffers(list, other.facts(), COUNT), COUNT, 64)
+        .sort(key_buffer, value_buffer, COUNT);
     std::ranges::stable_sort(values, {}, [&](uint32_t v) { return keys[v]; });
     CHECK(value_buffer.read(other) == values);
 }

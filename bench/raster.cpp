@@ -79,7 +79,7 @@ void print(Contender& c, const Options& options, double first) {
 }
 
 void run(const Options& bench) {
-    const gpu::Device device = gpu::open_device(bench.device);
+    const gpu::Device device = gpu::open_device(bench.device, gpu::Profiling::on);
     gpu::Programs programs(device, gpu::KernelSources::from(bench.kernels));
     const Scene scene = random_soup(bench);
     const DeviceScene placed(device, pack_scene(scene));

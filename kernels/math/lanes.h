@@ -210,12 +210,26 @@ INLINE real gather_real(__global const float* p, natural i) {
                                 __builtin_astype(i, onde_v16i), (ushort)-1, 4),
                             real);
 }
+// The word at byte `offset` of record i, which has `size` bytes; both are multiples of 4.
+INLINE real gather_word(__global const char* records, natural i, uint size, uint offset) {
+    return gather_real((__global const float*)(records), i * (size / 4) + offset / 4);
+}
     #else
 INLINE real gather_real(__global const float* p, natural i) {
     uint index[ONDE_WIDTH];
     float value[ONDE_WIDTH];
     ONDE_VSTORE(i, 0, index);
     for (int k = 0; k < ONDE_WIDTH; k++) value[k] = p[index[k]];
+    return ONDE_VLOAD(0, value);
+}
+// The word at byte `offset` of record i, which has `size` bytes. The address is counted in bytes
+// from the record's: compilers take one in words for an index into the record's first array.
+INLINE real gather_word(__global const char* records, natural i, uint size, uint offset) {
+    uint index[ONDE_WIDTH];
+    float value[ONDE_WIDTH];
+    ONDE_VSTORE(i, 0, index);
+    for (int k = 0; k < ONDE_WIDTH; k++)
+        value[k] = *(__global const float*)(records + (size_t)index[k] * size + offset);
     return ONDE_VLOAD(0, value);
 }
     #endif
@@ -265,9 +279,14 @@ INLINE natural gather_natural(__global const uint* p, natural i) {
 
 // One word of records[i] per lane: RECORD(records, i, Type, field) with a float field,
 // RECORD_NATURAL for a uint field. A constant subscript in the field is fine: edge1[2].
-#define RECORD(records, i, Type, field)                                                            \
-    gather_real((__global const float*)(records),                                                  \
-                (i) * (uint)(sizeof(Type) / 4) + (uint)(__builtin_offsetof(Type, field) / 4))
-#define RECORD_NATURAL(records, i, Type, field) as_natural(RECORD(records, i, Type, field))
+#if ONDE_WIDTH == 1
+    #define RECORD(records, i, Type, field) as_float((records)[i].field)
+    #define RECORD_NATURAL(records, i, Type, field) as_uint((records)[i].field)
+#else
+    #define RECORD(records, i, Type, field)                                                        \
+        gather_word((__global const char*)(records), i, sizeof(Type),                              \
+                    __builtin_offsetof(Type, field))
+    #define RECORD_NATURAL(records, i, Type, field) as_natural(RECORD(records, i, Type, field))
+#endif
 
 #endif

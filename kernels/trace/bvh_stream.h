@@ -20,6 +20,14 @@ typedef struct {
     uint plane[3][OCCLUDED_WIDTH];
 } StreamRays;
 
+// Rays that nobody asks about, so that arithmetic on places that stay empty is on numbers.
+INLINE void clear_first_half(StreamRays* rays) {
+    for (uint axis = 0; axis < 3; axis++) {
+        vstore16((float16)(0.0f), 0, rays->origin[axis]);
+        vstore16((float16)(0.0f), 0, rays->direction[axis]);
+    }
+}
+
 // The halves that hold the rays in `bits`.
 INLINE uint stream_halves(uint bits) {
     return bits >> STREAM_WIDTH ? 2 : 1;

@@ -3,6 +3,7 @@
 #ifndef ONDE_TRACE_TRACE_H
 #define ONDE_TRACE_TRACE_H
 
+#include "math/vector.h"
 #include "trace/bvh.h"
 #include "trace/hits.h"
 #if ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE
@@ -62,6 +63,9 @@ INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits)
     float t[ONDE_WIDTH], u[ONDE_WIDTH], v[ONDE_WIDTH];
     float primitive[ONDE_WIDTH], instance[ONDE_WIDTH];
     const real nothing = as_real((natural)(BVH_NONE));
+    spill_real(t, (real)(RAY_INFINITY));
+    spill_real(u, (real)(0.0f));
+    spill_real(v, (real)(0.0f));
     spill_real(primitive, nothing);
     spill_real(instance, nothing);
     for (; bits; bits &= bits - 1) {
@@ -111,6 +115,7 @@ INLINE void closest_in_company(BvhView bvh, StreamRays* rays, StreamHits* hits, 
 }
 
 INLINE void load_stream(StreamRays* rays, real3 origin, real3 direction) {
+    if (ONDE_WIDTH < STREAM_WIDTH) clear_first_half(rays);
     spill_real(rays->origin[0], origin.x);
     spill_real(rays->origin[1], origin.y);
     spill_real(rays->origin[2], origin.z);
@@ -146,7 +151,7 @@ INLINE Hits trace_bounce(BvhView bvh, real3 origin, real3 direction, uint bounce
 INLINE uint trace_occluded(BvhView bvh, real3 origin, real3 direction, real distance, uint bits) {
     StreamRays rays;
     const float t_min[STREAM_WIDTH] = {0.0f};
-    float far[STREAM_WIDTH];
+    float far[STREAM_WIDTH] = {0.0f};
     load_stream(&rays, origin, direction);
     spill_real(far, distance);
     return bvh_occluded_stream(BVH_TO_SCALARS(bvh), &rays, t_min, far, bits);

@@ -51,6 +51,7 @@ INLINE void load_ray(StreamRays* rays, uint r, RayRows from, uint i) {
 
 INLINE void load_rays(StreamRays* rays, RayRows from, uint i, uint count) {
     if (count < STREAM_WIDTH) { // what lies behind may be another work item's
+        clear_first_half(rays);
         for (uint r = 0; r < count; r++) load_ray(rays, r, from, i + r);
         return;
     }

@@ -39,12 +39,16 @@
         return as_float##N(as_int##N(a) ^ sign);                                                   \
     }                                                                                              \
                                                                                                    \
+    /* The sign is set where a < 0, which -0 is not: its bits less one have no sign. */            \
+    INLINE uint##N sign_if_negative##N(float##N a) {                                               \
+        return as_uint##N(a) & (as_uint##N(a) - 1u);                                               \
+    }                                                                                              \
     /* Of the three coordinates times the determinant, none of which may be below 0, and of the    \
-       determinant, which must be above. (-0 + 0 is 0; the bits of 0 less one are negative.) */    \
+       determinant, which must be above: the bits of 0 less one have the sign. */                  \
     INLINE int##N sign_unless_inside##N(float##N u, float##N v, float##N w,                        \
                                         float##N determinant) {                                    \
-        return as_int##N(u + 0.0f) | as_int##N(v + 0.0f) | as_int##N(w + 0.0f) |                   \
-               (as_int##N(determinant) - 1);                                                       \
+        return as_int##N(sign_if_negative##N(u) | sign_if_negative##N(v) |                         \
+                         sign_if_negative##N(w) | (as_uint##N(determinant) - 1u));                 \
     }                                                                                              \
                                                                                                    \
     INLINE TriangleTest##N test_triangles##N(Vectors##N origin, Vectors##N direction,              \
@@ -73,8 +77,10 @@
 // Scalars as vectors of one; their comparisons give 1 where those of vectors give -1.
 typedef float float1;
 typedef int int1;
+typedef uint uint1;
 #define as_float1 as_float
 #define as_int1 as_int
+#define as_uint1 as_uint
 
 DEFINE_TRIANGLES(1)
 DEFINE_TRIANGLES(8)

@@ -34,7 +34,7 @@ void print_device(const DeviceFacts& facts, size_t index, bool is_default) {
 
 void print_table(const std::vector<PlatformReport>& platforms) {
     if (platforms.empty()) fmt::print("{}\n", gpu::NO_PLATFORM);
-    const std::optional<size_t> by_default = gpu::choose_device(platforms);
+    const std::optional<size_t> by_default = gpu::choose_device(platforms, gpu::default_selector());
     size_t index = 0;
     for (const PlatformReport& platform : platforms) {
         fmt::print("{} ({})\n", platform.name, platform.version);
@@ -44,7 +44,7 @@ void print_table(const std::vector<PlatformReport>& platforms) {
             ++index;
         }
     }
-    if (by_default) fmt::print("* is used unless --device names another\n");
+    if (by_default) fmt::print("* is used unless --device or ONDE_DEVICE names another\n");
 }
 
 Json problem_json(const std::string& problem) {
@@ -65,7 +65,7 @@ Json device_json(const DeviceFacts& facts, size_t index, bool is_default) {
 }
 
 void print_json(const std::vector<PlatformReport>& platforms) {
-    const std::optional<size_t> by_default = gpu::choose_device(platforms);
+    const std::optional<size_t> by_default = gpu::choose_device(platforms, gpu::default_selector());
     Json all = Json::array();
     size_t index = 0;
     for (const PlatformReport& platform : platforms) {

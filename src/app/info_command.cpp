@@ -74,10 +74,11 @@ gpu::DeviceFacts default_device() {
     std::vector<gpu::DeviceFacts> all;
     for (const gpu::PlatformReport& platform : platforms)
         all.insert(all.end(), platform.devices.begin(), platform.devices.end());
-    if (const auto chosen = gpu::choose_device(platforms)) return all.at(*chosen);
+    if (const auto chosen = gpu::choose_device(platforms, gpu::default_selector()))
+        return all.at(*chosen);
     gpu::DeviceFacts cpu;
     cpu.name = "a CPU (there is no OpenCL device)";
-    cpu.is_cpu = true;
+    cpu.is_cpu = cpu.is_pocl = true;
     return cpu;
 }
 

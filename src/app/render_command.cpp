@@ -91,7 +91,9 @@ bool run(const RenderRequest& request) {
     check_request(request);
     const auto outputs = resolve_outputs(request);
     gpu::KernelSources sources = request.machine.sources();
-    const gpu::Device device = gpu::open_device(request.machine.device);
+    const bool profiled = request.stats || !request.json.empty();
+    const gpu::Device device = gpu::open_device(
+        request.machine.device, profiled ? gpu::Profiling::on : gpu::Profiling::off);
     gpu::Programs programs(device, std::move(sources), request.machine.cache());
     const Timer loading;
     const Scene scene = load(request);
@@ -116,7 +118,6 @@ bool run(const RenderRequest& request) {
     report.scene_bytes = gpu::total_bytes(plan.scene);
 
     gpu::Profiler profiler;
-    const bool profiled = request.stats || !request.json.empty();
     const IntegratorContext context{programs,       &scene,
                                     device_scene,   scene.cameras[report.options.camera],
                                     report.options, profiled ? &profiler : nullptr};

@@ -27,14 +27,17 @@ SortBuffers::SortBuffers(gpu::BufferList& buffers, const gpu::DeviceFacts& facts
       totals(buffers.add<uint32_t>("sort totals", DIGITS)) {}
 
 RadixSort::RadixSort(gpu::Programs& programs, SortBuffers buffers, uint32_t capacity,
-                     uint32_t local_size)
+                     uint32_t group)
     : buffers_(std::move(buffers)), capacity_(capacity),
-      program_(
-          programs.build({"chapter/raster/radix_sort.cl",
-                          {},
-                          {{"count_digits", local_size, blocks_of(capacity, buffers_.block)},
-                           {"scan_columns", local_size, DIGITS},
-                           {"move_pairs", local_size, blocks_of(capacity, buffers_.block)}}})) {}
+      program_(programs.build({"chapter/raster/radix_sort.cl",
+                               {fmt::format("ONDE_SORT_GROUP={}", group)},
+                               {{"count_digits", group, blocks_of(capacity, buffers_.block)},
+                                {"scan_columns", group, DIGITS},
+                                {"move_pairs", group, blocks_of(capacity, buffers_.block)}}})) {}
+
+uint32_t RadixSort::best_group(const gpu::DeviceFacts& facts) {
+    return facts.is_cpu ? 1 : 16;
+}
 
 void RadixSort::sort(const gpu::Buffer<uint32_t>& keys, const gpu::Buffer<uint32_t>& values,
                      uint32_t count, gpu::Profiler* profiler) {

@@ -18,8 +18,12 @@ struct SortBuffers {
 
 class RadixSort {
   public:
-    /// For up to `capacity` pairs. The programs outlive it.
-    RadixSort(gpu::Programs& programs, SortBuffers buffers, uint32_t capacity, uint32_t local_size);
+    /// For up to `capacity` pairs, in work groups of `group`. The programs outlive it.
+    RadixSort(gpu::Programs& programs, SortBuffers buffers, uint32_t capacity, uint32_t group);
+
+    /// What suits the device. Each work item of a group takes 1 KiB of local memory, and every
+    /// device has 32.
+    static uint32_t best_group(const gpu::DeviceFacts& facts);
 
     /// Queues the sort of the first `count` keys, ascending, with their values; pairs of equal keys
     /// stay in their order.

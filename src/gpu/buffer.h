@@ -25,7 +25,7 @@ class Buffer {
     /// A copy of `values`, read-only to kernels.
     Buffer(const Device& device, std::span<const T> values);
 
-    /// Uses the memory of `values` in place where the device is a CPU, else copies it. The memory
+    /// Uses the memory of `values` in place where the device shares the host's, else copies it. It
     /// must be aligned as AlignedVector does and outlive the buffer. Read-only to kernels.
     static Buffer in_place(const Device& device, std::span<const T> values);
 

@@ -39,7 +39,7 @@ Buffer<T>::Buffer(const Device& device, std::span<const T> values)
 
 template <class T>
 Buffer<T> Buffer<T>::in_place(const Device& device, std::span<const T> values) {
-    if (!device.facts().is_cpu || values.empty()) return Buffer(device, values);
+    if (!device.facts().unified_memory || values.empty()) return Buffer(device, values);
     Buffer used;
     used.buffer_ = detail::allocate(device, CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, values.size(),
                                     sizeof(T), values.data());

@@ -57,8 +57,9 @@ void learn_device(const cl::Device& device, DeviceFacts& facts) {
     facts.vendor = device.getInfo<CL_DEVICE_VENDOR>();
     facts.driver_version = device.getInfo<CL_DRIVER_VERSION>();
     const cl_device_type type = device.getInfo<CL_DEVICE_TYPE>();
-    facts.is_cpu = type & CL_DEVICE_TYPE_CPU;
     facts.is_gpu = type & CL_DEVICE_TYPE_GPU;
+    facts.is_cpu = type & CL_DEVICE_TYPE_CPU && !facts.is_gpu;
+    facts.unified_memory = device.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>();
     if (facts.is_cpu) learn_host_cpu(facts);
     facts.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
     facts.global_memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
@@ -77,6 +78,7 @@ DeviceFacts device_facts(const cl::Device& device, const PlatformReport& platfor
     facts.platform = platform.name;
     facts.platform_version = platform.version;
     facts.is_pocl = platform.name.find("Portable Computing Language") != std::string::npos;
+    facts.is_intel = platform.name.find("Intel(R) OpenCL") != std::string::npos;
     ask(facts.problem, [&] { learn_device(device, facts); });
     if (facts.name.empty()) facts.name = "unnamed device";
     return facts;
@@ -200,11 +202,17 @@ std::optional<size_t> choose_device(const std::vector<PlatformReport>& platforms
     return device_named(devices, selector);
 }
 
-Device::Device(cl::Device device, DeviceFacts facts)
+std::string default_selector() {
+    const char* value = std::getenv("ONDE_DEVICE");
+    return value ? value : "";
+}
+
+Device::Device(cl::Device device, DeviceFacts facts, Profiling profiling)
     : facts_(std::move(facts)), device_(std::move(device)) {
     checked(fmt::format("device {} cannot be opened; choose another", facts_.name), [&] {
         context_ = cl::Context(device_);
-        queue_ = cl::CommandQueue(context_, device_, CL_QUEUE_PROFILING_ENABLE);
+        const cl_command_queue_properties timed = CL_QUEUE_PROFILING_ENABLE;
+        queue_ = cl::CommandQueue(context_, device_, profiling == Profiling::on ? timed : 0);
     });
 }
 
@@ -212,7 +220,13 @@ void Device::finish() const {
     checked(fmt::format("device {} failed while working", facts_.name), [&] { queue_.finish(); });
 }
 
-Device open_device(std::string_view selector) {
+Device open_device(std::string_view selector, Profiling profiling) {
+    const std::string by_default = default_selector();
+    const char* origin = "";
+    if (selector.empty() && !by_default.empty()) {
+        selector = by_default;
+        origin = " of ONDE_DEVICE";
+    }
     const std::vector<Platform> platforms = open_platforms();
     if (platforms.empty()) throw DeviceError(NO_PLATFORM);
     const std::vector<PlatformReport> all = reports(platforms);
@@ -220,7 +234,7 @@ Device open_device(std::string_view selector) {
     if (!index && selector.empty())
         throw DeviceError("no OpenCL device can be used; there is: {}", inventory(all));
     if (!index)
-        throw DeviceError("no OpenCL device matches '{}'; choose from: {}", selector,
+        throw DeviceError("no OpenCL device matches '{}'{}; choose from: {}", selector, origin,
                           inventory(all));
     const DeviceFacts facts = all_devices(all)[*index];
     if (!facts.problem.empty())
@@ -229,7 +243,7 @@ Device open_device(std::string_view selector) {
     std::vector<cl::Device> devices;
     for (const Platform& platform : platforms)
         devices.insert(devices.end(), platform.devices.begin(), platform.devices.end());
-    return Device(devices[*index], facts);
+    return Device(devices[*index], facts, profiling);
 }
 
 } // namespace onde::gpu

@@ -15,9 +15,10 @@ namespace onde::gpu {
 struct DeviceFacts {
     std::string name, vendor, driver_version;
     std::string platform, platform_version;
-    bool is_cpu = false, is_gpu = false;
-    bool is_pocl = false;
+    bool is_cpu = false, is_gpu = false; ///< not both
+    bool is_pocl = false, is_intel = false;
     bool avx2 = false, avx512 = false; ///< of the host, where the device is a CPU
+    bool unified_memory = false;       ///< the host's memory is the device's own
     uint32_t compute_units = 0;
     uint64_t global_memory = 0;  ///< bytes
     uint64_t cache = 0;          ///< bytes of the largest one between it and the units
@@ -43,11 +44,14 @@ inline constexpr const char* NO_PLATFORM =
 /// listed with its problem. Never throws for a broken platform.
 std::vector<PlatformReport> list_platforms();
 
-/// An open device with its context and an in-order, profiling queue. Move-only.
+/// Whether launches can be timed (see Profiler); drivers are slower where they can.
+enum class Profiling { off, on };
+
+/// An open device with its context and an in-order queue. Move-only.
 class Device {
   public:
     /// Throws DeviceError when the driver refuses.
-    Device(cl::Device device, DeviceFacts facts);
+    Device(cl::Device device, DeviceFacts facts, Profiling profiling = Profiling::off);
     Device(Device&&) = default;
     Device& operator=(Device&&) = default;
 
@@ -72,8 +76,12 @@ class Device {
 std::optional<size_t> choose_device(const std::vector<PlatformReport>& platforms,
                                     std::string_view selector = {});
 
-/// Opens the device that choose_device() picks from list_platforms(). Throws DeviceError with the
-/// list of what there is when nothing matches or the device that matches has a problem.
-Device open_device(std::string_view selector = {});
+/// What an empty selector stands for: the value of the environment variable ONDE_DEVICE, or empty.
+std::string default_selector();
+
+/// Opens the device that choose_device() picks from list_platforms(), for an empty selector by
+/// default_selector(). Throws DeviceError with the list of what there is when nothing matches or
+/// the device that matches has a problem.
+Device open_device(std::string_view selector = {}, Profiling profiling = Profiling::off);
 
 } // namespace onde::gpu

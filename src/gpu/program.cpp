@@ -48,9 +48,9 @@ cl::Program compile(const Device& device, const std::string& file, const std::st
     return program;
 }
 
-/// Sets an argument to zero or null. Drivers that keep no argument info, for example of binaries,
-/// tell pointers from numbers by refusing the size of a number.
-void clear_argument(const cl::Kernel& kernel, cl_uint index) {
+/// Sets an argument to zero, to the buffer of zeros, or to a little local memory. Drivers that keep
+/// no argument info, for example of binaries, tell which it is by refusing what it is not.
+void clear_argument(const cl::Kernel& kernel, cl_uint index, const cl::Buffer& zeros) {
     cl_kernel_arg_address_qualifier space = CL_KERNEL_ARG_ADDRESS_PRIVATE;
     clGetKernelArgInfo(kernel(), index, CL_KERNEL_ARG_ADDRESS_QUALIFIER, sizeof space, &space,
                        nullptr);
@@ -58,27 +58,33 @@ void clear_argument(const cl::Kernel& kernel, cl_uint index) {
     if (space == CL_KERNEL_ARG_ADDRESS_PRIVATE &&
         clSetKernelArg(kernel(), index, sizeof zero, &zero) == CL_SUCCESS)
         return;
-    cl::detail::errHandler(clSetKernelArg(kernel(), index, sizeof(cl_mem), nullptr),
-                           "clSetKernelArg");
+    if (space != CL_KERNEL_ARG_ADDRESS_LOCAL &&
+        clSetKernelArg(kernel(), index, sizeof(cl_mem), &zeros()) == CL_SUCCESS)
+        return;
+    constexpr size_t LOCAL_BYTES = 256;
+    cl::detail::errHandler(clSetKernelArg(kernel(), index, LOCAL_BYTES, nullptr), "clSetKernelArg");
 }
 
 /// Launches the kernel as it will be launched, but with a count of 0: drivers finish compiling at
 /// the first launch. On a kernel object of its own, so that an argument that is never set is still
 /// noticed by the driver.
-void warm(const Device& device, const cl::Program& program, const KernelShape& shape) {
+void warm(const Device& device, const cl::Program& program, const KernelShape& shape,
+          const cl::Buffer& zeros) {
     checked(fmt::format("kernel {} failed at its first, empty launch in groups of {}", shape.name,
                         shape.local_size),
             [&] {
                 cl::Kernel kernel(program, shape.name.c_str());
                 const cl_uint arguments = kernel.getInfo<CL_KERNEL_NUM_ARGS>();
-                for (cl_uint i = 0; i < arguments; ++i) clear_argument(kernel, i);
+                for (cl_uint i = 0; i < arguments; ++i) clear_argument(kernel, i, zeros);
                 Kernel(kernel, shape, device).launch(shape.items);
             });
 }
 
 void warm(const Device& device, const cl::Program& program,
           const std::vector<KernelShape>& shapes) {
-    for (const KernelShape& shape : shapes) warm(device, program, shape);
+    Buffer<uint32_t> zeros(device, 1024); // compilers load ahead of the test of the count
+    zeros.fill(device, 0);
+    for (const KernelShape& shape : shapes) warm(device, program, shape, zeros.raw());
     device.finish();
 }
 

@@ -39,9 +39,12 @@ class KernelSources {
 
 /// A kernel of a program and the one local size that it is ever launched with.
 /// Rule for every kernel of ours: its first parameter is `uint count`, and it returns at once
-/// when count is 0, touching nothing else. That is how programs are warmed for the cache.
+/// when count is 0, touching nothing else. That is how programs are warmed for the cache: with
+/// small buffers of zeros, since compilers move loads ahead of that test.
 struct KernelShape {
     std::string name;
+    /// Fewer where the compiled kernel does not take as many, and what the kernel itself requires
+    /// where it does (reqd_work_group_size).
     size_t local_size = 1;
     /// About the most work items of one launch. PoCL compiles a kernel again for grids that reach
     /// 65535 items, so a launch beyond that, not announced here, pays for it when it comes.
@@ -82,6 +85,9 @@ class Kernel {
     /// Queues at least `items` work items (rounded up to the local size; kernels check their
     /// count); none for 0 items. Throws DeviceError naming the kernel.
     void launch(size_t items, Profiler* profiler = nullptr);
+
+    /// Work items of a group, as every launch has them.
+    size_t local_size() const { return shape_.local_size; }
 
   private:
     void set_bytes(uint32_t index, size_t size, const void* value);

@@ -2,17 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace onde::gpu {
 
+namespace {
+
+/// Other compilers turn vectors into scalars, which are slower the more there are.
+uint32_t cpu_width(const DeviceFacts& facts) {
+    if (!facts.is_pocl && !facts.is_intel) return 1;
+    return facts.avx512 ? 16 : 8;
+}
+
+} // namespace
+
 DeviceSettings default_settings(const DeviceFacts& facts) {
-    if (!facts.is_cpu) return {};
-    return {.width = facts.avx512 ? 16u : 8u,
+    if (!facts.is_cpu)
+        return {.local_size = uint32_t(std::min<size_t>(64, facts.max_work_group_size))};
+    const uint32_t width = cpu_width(facts);
+    return {.width = width,
             .wave_size = 1u << 16,
             .chunk = 256,
             .local_size = 1,
             .queue = QueueKind::chunk_local,
             .launch = Launch::fused,
-            .primary_packets = true,
+            .primary_packets = width > 1,
             .interleave_above = facts.cache};
 }
 

@@ -22,7 +22,7 @@ struct DeviceSettings {
     uint32_t width = 1;            ///< paths that one work item shades at once (lanes)
     uint32_t wave_size = 1u << 20; ///< paths in flight
     uint32_t chunk = 1;            ///< paths of one work item; a multiple of `width`
-    uint32_t local_size = 64;      ///< work items of a group, the same for every launch
+    uint32_t local_size = 64;      ///< work items of a group; fewer where a kernel takes no more
     QueueKind queue = QueueKind::global;
     Launch launch = Launch::staged;
     bool primary_packets = false; ///< trace primary rays in packets of 16

@@ -233,6 +233,8 @@ TEST_CASE("a device that cannot be had ends the program with code 3") {
     check_refused(folder, onto_precious(CORNELL, {"--device", "abacus"}),
                   "no OpenCL device matches 'abacus'; choose from: 0:", NO_DEVICE);
     check_refused(folder, onto_precious(CORNELL, {"--device", "99"}), "'99'", NO_DEVICE);
+    check_refused(folder, onto_precious(CORNELL), "matches 'abacus' of ONDE_DEVICE; choose from",
+                  NO_DEVICE, {{"ONDE_DEVICE", "abacus"}});
     check_refused(folder, onto_precious(CORNELL), "no OpenCL platform is installed", NO_DEVICE,
                   no_platform);
     check_refused(folder, {"cache", "prewarm"}, "no OpenCL platform is installed", NO_DEVICE,

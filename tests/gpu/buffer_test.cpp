@@ -86,13 +86,13 @@ TEST_CASE("a buffer beyond the device's limit is refused with what was asked and
     CHECK_THROWS_AS(Buffer<uint32_t>(device, size_t(-1)), DeviceError); // no overflow
 }
 
-TEST_CASE("in place, a CPU device uses the host's memory itself") {
+TEST_CASE("in place, a device that shares the host's memory uses it itself") {
     const Device device = open_device();
     const std::vector<uint32_t> values = ascending(1 << 20); // 4 MiB: huge pages
     AlignedVector<uint32_t> host(values.begin(), values.end());
     const auto buffer = Buffer<uint32_t>::in_place(device, host);
     CHECK(buffer.read(device) == values);
-    if (!device.facts().is_cpu) return;
+    if (!device.facts().unified_memory) return;
     void* mapped = device.queue().enqueueMapBuffer(buffer.raw(), CL_TRUE, CL_MAP_READ, 0, 4);
     CHECK(mapped == host.data());
     device.queue().enqueueUnmapMemObject(buffer.raw(), mapped);

@@ -103,6 +103,26 @@ TEST_CASE("without any platform the error names the package to install") {
     CHECK_THROWS_WITH(open_device(), Contains("pocl-opencl-icd"));
 }
 
+TEST_CASE("ONDE_DEVICE names the device where nothing else does") {
+    if (!test::is_rerun()) {
+        const std::string name = "ONDE_DEVICE names the device where nothing else does";
+        CHECK(test::rerun_with("ONDE_DEVICE=abacus", name));
+        return;
+    }
+    CHECK(default_selector() == "abacus");
+    CHECK_THROWS_WITH(open_device(), Contains("no OpenCL device matches 'abacus' of ONDE_DEVICE"));
+    CHECK(open_device("0").facts().name == list_platforms()[0].devices[0].name);
+}
+
+TEST_CASE("launches are timed only where that is asked for") {
+    const auto properties = [](Profiling profiling) {
+        const Device device = open_device({}, profiling);
+        return device.queue().getInfo<CL_QUEUE_PROPERTIES>() & CL_QUEUE_PROFILING_ENABLE;
+    };
+    CHECK(properties(Profiling::off) == 0);
+    CHECK(properties(Profiling::on) != 0);
+}
+
 TEST_CASE("a platform without devices is listed with that problem") {
     if (!test::is_rerun()) {
         CHECK(test::rerun_with("POCL_DEVICES=nonsense OCL_ICD_FILENAMES=",
@@ -136,9 +156,13 @@ TEST_CASE("broken platforms and devices are listed with their reasons and do not
     };
     CHECK_THAT(named("Speechless").problem, Contains("CL_OUT_OF_HOST_MEMORY"));
     CHECK(named("Speechless").devices.empty());
-    REQUIRE(named("Half There").devices.size() == 1);
-    CHECK(named("Half There").devices[0].name == "Silent Card");
-    CHECK_THAT(named("Half There").devices[0].problem, Contains("CL_OUT_OF_RESOURCES"));
+    REQUIRE(named("Half There").devices.size() == 2);
+    const DeviceFacts silent = named("Half There").devices[0];
+    CHECK(silent.name == "Silent Card");
+    CHECK_THAT(silent.problem, Contains("CL_OUT_OF_RESOURCES"));
+    const DeviceFacts twofold = named("Half There").devices[1]; // says that it is CPU and GPU
+    CHECK(twofold.is_gpu);
+    CHECK_FALSE(twofold.is_cpu);
 
     CHECK(open_device().facts().problem == "");
     CHECK_THROWS_AS(open_device("silent"), DeviceError);

@@ -13,7 +13,7 @@ TEST_CASE("the profiler counts launches and adds their time, by kernel") {
                  "__kernel void first(uint count) {}\n"
                  "__kernel void second(uint count, __global uint* sum) {\n"
                  "    for (uint i = 0; i < count; ++i) sum[get_global_id(0)] += i ^ sum[0];\n}\n");
-    const Device device = open_device();
+    const Device device = open_device({}, Profiling::on);
     Programs programs(device, KernelSources::folder(folder.path()));
     Program program = programs.build({"two.cl", {}, {{"first", 1}, {"second", 1}}});
     const Buffer<uint32_t> sum(device, 1);

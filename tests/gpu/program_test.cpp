@@ -108,6 +108,42 @@ __kernel void many(uint count, float a, __global uint* b, __constant float* c, _
     CHECK_NOTHROW(scale.build(request));
 }
 
+TEST_CASE("warming takes kernels that load before they test their count, as compilers make them") {
+    const ScaleProgram scale;
+    scale.folder().write("eager.cl", R"(
+__kernel void eager(uint count, __global const uint* in, __global uint* out) {
+    const uint first = *(volatile __global const uint*)in;
+    if (count > 0) out[0] = first;
+}
+)");
+    const ProgramRequest request{"eager.cl", {}, {{"eager", 1}}};
+    CHECK_NOTHROW(scale.build(request));
+}
+
+TEST_CASE("a group is as large as the kernel requires, and no larger than it takes") {
+    const ScaleProgram scale;
+    scale.folder().write("groups.cl", R"(
+__kernel __attribute__((reqd_work_group_size(4, 1, 1))) void four(uint count, __global uint* size) {
+    if (count > 0) *size = get_local_size(0);
+}
+__kernel void fitting(uint count, __global uint* size) {
+    if (count > 0) *size = get_local_size(0);
+}
+)");
+    constexpr size_t TOO_MANY = 1u << 30;
+    const ProgramRequest request{"groups.cl", {}, {{"four", 1}, {"fitting", TOO_MANY}}};
+    Program program = scale.build(request);
+    const auto launched = [&](Kernel& kernel) {
+        const Buffer<uint32_t> size(scale.device(), 1);
+        kernel.set_from(0, 1u, size);
+        kernel.launch(1);
+        return size.read(scale.device())[0];
+    };
+    CHECK(launched(program.kernel("four")) == 4);
+    CHECK(program.kernel("fitting").local_size() <= scale.device().facts().max_work_group_size);
+    CHECK(launched(program.kernel("fitting")) == program.kernel("fitting").local_size());
+}
+
 TEST_CASE("an empty launch leaves memory untouched") {
     const ScaleProgram scale;
     Program program = scale.build();

@@ -10,7 +10,7 @@ namespace {
 
 DeviceFacts cpu(bool avx2, bool avx512) {
     DeviceFacts facts;
-    facts.is_cpu = true;
+    facts.is_cpu = facts.is_pocl = true;
     facts.avx2 = avx2;
     facts.avx512 = avx512;
     return facts;
@@ -19,6 +19,7 @@ DeviceFacts cpu(bool avx2, bool avx512) {
 DeviceFacts graphics_card() {
     DeviceFacts facts;
     facts.is_gpu = true;
+    facts.max_work_group_size = 1024;
     return facts;
 }
 
@@ -38,6 +39,21 @@ TEST_CASE("a CPU shades 16 lanes with AVX-512 and 8 without") {
     CHECK(default_settings(cpu(true, true)).width == 16);
     CHECK(default_settings(cpu(true, false)).width == 8);
     CHECK(default_settings(cpu(false, false)).width == 8);
+}
+
+TEST_CASE("a CPU whose compiler is unknown shades one lane") {
+    DeviceFacts facts = cpu(true, true);
+    facts.is_pocl = false;
+    CHECK(default_settings(facts).width == 1);
+    CHECK_FALSE(default_settings(facts).primary_packets);
+    facts.is_intel = true;
+    CHECK(default_settings(facts).width == 16);
+}
+
+TEST_CASE("groups are no larger than the device takes") {
+    DeviceFacts facts = graphics_card();
+    facts.max_work_group_size = 32;
+    CHECK(default_settings(facts).local_size == 32);
 }
 
 TEST_CASE("on a CPU rays take turns in trees that are larger than its cache") {

@@ -60,15 +60,16 @@ void check_sort(RadixSort& sort, const Pairs& pairs, uint32_t count) {
 
 constexpr uint32_t CAPACITY = 100'000; // several blocks, and no multiple of one
 
-RadixSort small_sort() {
+RadixSort small_sort(uint32_t group) {
     gpu::BufferList list(device());
-    return RadixSort(programs(), SortBuffers(list, device().facts(), CAPACITY), CAPACITY, 1);
+    return RadixSort(programs(), SortBuffers(list, device().facts(), CAPACITY), CAPACITY, group);
 }
 
 } // namespace
 
 TEST_CASE("the radix sort puts pairs where std::stable_sort does") {
-    RadixSort sort = small_sort();
+    const uint32_t group = GENERATE(1u, 16u); // of CPUs and of GPUs
+    RadixSort sort = small_sort(group);
     Generator generator(1);
     for (uint32_t count :
          {1u, 2u, 3u, 255u, 256u, 257u, 16383u, 16384u, 16385u, 40'000u, CAPACITY}) {
@@ -81,7 +82,7 @@ TEST_CASE("the radix sort puts pairs where std::stable_sort does") {
 }
 
 TEST_CASE("the radix sort of no pairs, and of some of a buffer, leaves the rest alone") {
-    RadixSort sort = small_sort();
+    RadixSort sort = small_sort(RadixSort::best_group(device().facts()));
     const Pairs pairs = numbered({5, 4, 3, 2, 1, 0});
     check_sort(sort, pairs, 0);
     check_sort(sort, pairs, 4);
@@ -89,7 +90,7 @@ TEST_CASE("the radix sort of no pairs, and of some of a buffer, leaves the rest 
 }
 
 TEST_CASE("sorted, reversed, equal and extreme keys are sorted") {
-    RadixSort sort = small_sort();
+    RadixSort sort = small_sort(RadixSort::best_group(device().facts()));
     constexpr uint32_t COUNT = 33'333;
     Words rising(COUNT), falling(COUNT), extreme(COUNT);
     for (uint32_t i = 0; i < COUNT; i++) {

@@ -21,12 +21,12 @@
 
 INLINE void keep_nearest(volatile __global ulong* nearest, size_t pixel, float depth, uint number,
                          uint phase) {
-#if ONDE_DEPTH_ATOMICS64
-    const ulong word = (ulong)as_uint(depth) << 32 | number;
-    if (word < nearest[pixel]) atom_min(&nearest[pixel], word);
-#else
     volatile __global uint* words = (volatile __global uint*)&nearest[pixel];
     const uint bits = as_uint(depth);
+#if ONDE_DEPTH_ATOMICS64
+    // A depth of 32 bits is read whole on every device, and one that is out of date is larger.
+    if (bits <= words[1]) atom_min(&nearest[pixel], (ulong)bits << 32 | number);
+#else
     if (phase == PHASE_DEPTH)
         atomic_min(&words[1], bits);
     else if (words[1] == bits)

@@ -6,8 +6,8 @@
 
 // Ascending keys go from the farthest to the nearest; -0 and 0 have the same one.
 INLINE uint far_to_near_key(float depth) {
-    const uint bits = as_uint(depth + 0.0f);
-    return bits & 0x80000000u ? bits : ~bits & 0x7fffffffu;
+    const uint sign = 0x80000000u, bits = as_uint(depth) == sign ? 0u : as_uint(depth);
+    return bits & sign ? bits : ~bits & ~sign;
 }
 
 #endif

@@ -3,6 +3,8 @@
 #ifndef ONDE_CHAPTER_WHITTED_SHADOW_H
 #define ONDE_CHAPTER_WHITTED_SHADOW_H
 
+#include "shade/scene_view.h"
+#include "shade/surface.h"
 #include "shared/whitted.h"
 #include "trace/trace.h"
 

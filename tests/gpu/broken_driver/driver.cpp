@@ -1,5 +1,5 @@
 // An OpenCL driver, loaded by the real loader, that fails where installed drivers have been seen to
-// fail: one platform cannot list its devices, another has a device that stops answering.
+// fail: one platform cannot list its devices, another has devices that stop answering.
 #include <CL/cl.h>
 #include <CL/cl_ext.h>
 #include <CL/cl_icd.h>
@@ -20,7 +20,7 @@ struct _cl_device_id {
 namespace {
 
 extern _cl_platform_id platforms[2];
-extern _cl_device_id silent_device;
+extern _cl_device_id silent_device, twofold_device;
 
 cl_int answer(const std::string& text, size_t size, void* value, size_t* needed) {
     if (needed) *needed = text.size() + 1;
@@ -31,15 +31,25 @@ cl_int answer(const std::string& text, size_t size, void* value, size_t* needed)
 cl_int CL_API_CALL get_device_ids(cl_platform_id platform, cl_device_type, cl_uint room,
                                   cl_device_id* devices, cl_uint* count) {
     if (platform == &platforms[0]) return CL_OUT_OF_HOST_MEMORY;
-    if (room > 0 && devices) *devices = &silent_device;
-    if (count) *count = 1;
+    if (room > 0 && devices) devices[0] = &silent_device;
+    if (room > 1 && devices) devices[1] = &twofold_device;
+    if (count) *count = 2;
     return CL_SUCCESS;
 }
 
-cl_int CL_API_CALL get_device_info(cl_device_id, cl_device_info info, size_t size, void* value,
-                                   size_t* needed) {
-    if (info == CL_DEVICE_NAME) return answer("Silent Card", size, value, needed);
-    return CL_OUT_OF_RESOURCES;
+/// The twofold device says that it is a CPU and a GPU before it, too, falls silent.
+cl_int CL_API_CALL get_device_info(cl_device_id device, cl_device_info info, size_t size,
+                                   void* value, size_t* needed) {
+    const bool is_silent = device == &silent_device;
+    if (info == CL_DEVICE_NAME)
+        return answer(is_silent ? "Silent Card" : "Twofold Card", size, value, needed);
+    if (is_silent) return CL_OUT_OF_RESOURCES;
+    if (info == CL_DEVICE_VENDOR || info == CL_DRIVER_VERSION)
+        return answer("broken", size, value, needed);
+    if (info != CL_DEVICE_TYPE || size < sizeof(cl_device_type)) return CL_OUT_OF_RESOURCES;
+    const cl_device_type type = CL_DEVICE_TYPE_CPU | CL_DEVICE_TYPE_GPU;
+    if (value) std::memcpy(value, &type, sizeof type);
+    return CL_SUCCESS;
 }
 
 cl_int CL_API_CALL keep_device(cl_device_id) {
@@ -80,7 +90,7 @@ const cl_icd_dispatch FUNCTIONS = [] {
 }();
 
 _cl_platform_id platforms[2] = {{&FUNCTIONS, "Speechless"}, {&FUNCTIONS, "Half There"}};
-_cl_device_id silent_device = {&FUNCTIONS};
+_cl_device_id silent_device = {&FUNCTIONS}, twofold_device = {&FUNCTIONS};
 
 } // namespace
 

@@ -78,8 +78,9 @@ int main(int argc, char** argv) {
                 {.show_default = true, .least = 64, .most = 2048});
     root.flag("--cpu-time", options.race.cpu_time,
               "count processor time instead of wall-clock time, for busy machines");
-    const std::map<std::string, onde::BvhBuilder> trees{{"sah", onde::BvhBuilder::sah},
-                                                        {"high", onde::BvhBuilder::high}};
+    std::map<std::string, onde::BvhBuilder> trees;
+    for (const onde::BvhBuilder builder : {onde::BvhBuilder::sah, onde::BvhBuilder::high})
+        trees.emplace(onde::word_of(builder), builder);
     root.choice("--bvh", options.builder, trees,
                 "Onde's tree: high, the counterpart of Embree's quality high, or what renders use");
     root.option("--sets", &options.sets, "only these ray sets",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/aligned.h"
+#include "core/enum_words.h"
 #include "shared/bvh.h"
 
 #include <glm/glm.hpp>
@@ -53,12 +54,25 @@ enum class BvhBuilder {
     none,           ///< not at all: a list of blocks whose boxes exclude nothing
 };
 
+constexpr auto enum_words(BvhBuilder) {
+    return std::array{EnumWord{BvhBuilder::sah, "sah"}, EnumWord{BvhBuilder::high, "high"},
+                      EnumWord{BvhBuilder::median, "median"},
+                      EnumWord{BvhBuilder::median_spatial, "median-spatial"},
+                      EnumWord{BvhBuilder::none, "none"}};
+}
+
 /// How a tree lies in device memory; see shared/bvh.h.
 enum class BvhLayout : uint32_t {
     wide = BVH_LAYOUT_WIDE,             ///< 16 children a node, 8 triangles a leaf: for CPUs
     compressed = BVH_LAYOUT_COMPRESSED, ///< 8 children in 80 bytes: for GPUs
     binary = BVH_LAYOUT_BINARY,         ///< 2 children: the plainest for GPUs
 };
+
+constexpr auto enum_words(BvhLayout) {
+    return std::array{EnumWord{BvhLayout::wide, "wide"},
+                      EnumWord{BvhLayout::compressed, "compressed"},
+                      EnumWord{BvhLayout::binary, "binary"}};
+}
 
 struct BvhOptions {
     BvhBuilder builder = BvhBuilder::sah;

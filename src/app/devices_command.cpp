@@ -85,18 +85,17 @@ void print_json(const std::vector<PlatformReport>& platforms) {
 Json rates_json(const DeviceFacts& facts, std::span<const LayoutRate> rates) {
     Json layouts = Json::array();
     for (const LayoutRate& rate : rates)
-        layouts.push_back({{"layout", layout_name(rate.layout)}, {"mrays", rate.mrays}});
-    return {{"device", facts.name},
-            {"layouts", layouts},
-            {"chosen", layout_name(fastest_layout(rates))}};
+        layouts.push_back({{"layout", word_of(rate.layout)}, {"mrays", rate.mrays}});
+    return {
+        {"device", facts.name}, {"layouts", layouts}, {"chosen", word_of(fastest_layout(rates))}};
 }
 
 void print_rates(const DeviceFacts& facts, std::span<const LayoutRate> rates) {
     fmt::print("{}\n{:<12} {:>9}\n", facts.name, "layout", "Mrays/s");
     for (const LayoutRate& rate : rates)
-        fmt::print("{:<12} {:9.2f}\n", layout_name(rate.layout), rate.mrays);
+        fmt::print("{:<12} {:9.2f}\n", word_of(rate.layout), rate.mrays);
     fmt::print("{} is what renders on this device use from now on\n",
-               layout_name(fastest_layout(rates)));
+               word_of(fastest_layout(rates)));
 }
 
 struct DevicesRequest {

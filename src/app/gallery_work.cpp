@@ -41,7 +41,7 @@ bool can_replay(const RenderOptions& options) {
 
 std::string facts_text(const RenderOptions& options, const RenderOutcome& outcome) {
     return fmt::format("{}x{}, {} samples per pixel, --integrator {}, {:.2f} s", options.width,
-                       options.height, outcome.samples, integrator_name(options.integrator),
+                       options.height, outcome.samples, word_of(options.integrator),
                        outcome.seconds);
 }
 

@@ -41,10 +41,21 @@ uint64_t emissive_triangles(const Scene& scene, const Mesh& mesh) {
     return count;
 }
 
+/// How many of each `kind`, without those of none.
+template <class T>
+CountsByWord count_kinds(const std::vector<T>& things) {
+    CountsByWord counts;
+    for (const auto& [kind, word] : WORDS_OF<decltype(T::kind)>)
+        if (const auto count = std::ranges::count(things, kind, &T::kind))
+            counts.emplace_back(word, size_t(count));
+    return counts;
+}
+
 uint64_t host_bytes(const Scene& scene, uint64_t texture_bytes) {
     uint64_t bytes = texture_bytes + bytes_of(scene.materials) + bytes_of(scene.instances) +
-                     bytes_of(scene.spheres) + bytes_of(scene.point_lights) +
-                     bytes_of(scene.directional_lights);
+                     bytes_of(scene.spheres) + bytes_of(scene.shapes) +
+                     bytes_of(scene.point_lights) + bytes_of(scene.directional_lights) +
+                     bytes_of(scene.area_lights);
     for (const Mesh& mesh : scene.meshes) bytes += bytes_of(mesh);
     if (scene.environment.map) bytes += bytes_of(scene.environment.map->pixels);
     return bytes;
@@ -112,17 +123,25 @@ void print_memory(const DeviceMemory& memory) {
     print_buffers(plan.film);
 }
 
+/// "5, 2 disk, 3 torus".
+std::string counts_text(size_t all, const CountsByWord& counts) {
+    std::string text = std::to_string(all);
+    for (const auto& [word, count] : counts) text += fmt::format(", {} {}", count, word);
+    return text;
+}
+
 void print_text(const Scene& scene, const SceneSummary& summary, const DeviceMemory& memory) {
     const SceneBounds bounds = scene_bounds(scene);
     fmt::print("triangles     {} unique, {} instanced, {} of them emissive\n",
                summary.unique_triangles, summary.instanced_triangles, summary.emissive_triangles);
     fmt::print("meshes        {}, in {} instances\n", scene.meshes.size(), scene.instances.size());
     fmt::print("spheres       {}\n", scene.spheres.size());
-    fmt::print("materials     {}", scene.materials.size());
-    for (const auto& [kind, count] : summary.materials_by_kind) fmt::print(", {} {}", count, kind);
-    fmt::print("\ntextures      {}, {}\n", scene.textures.size(), size_text(summary.texture_bytes));
-    fmt::print("lights        {} point, {} directional\n", scene.point_lights.size(),
-               scene.directional_lights.size());
+    fmt::print("shapes        {}\n", counts_text(scene.shapes.size(), summary.shapes));
+    fmt::print("materials     {}\n", counts_text(scene.materials.size(), summary.materials));
+    fmt::print("textures      {}, {}\n", scene.textures.size(), size_text(summary.texture_bytes));
+    fmt::print("lights        {} point, {} directional; area {}\n", scene.point_lights.size(),
+               scene.directional_lights.size(),
+               counts_text(scene.area_lights.size(), summary.area_lights));
     fmt::print("environment   {}\n", environment_text(scene.environment));
     for (size_t i = 0; i < scene.cameras.size(); ++i)
         fmt::print("camera {}      '{}', {:.4g} degrees\n", i, scene.cameras[i].name,
@@ -139,10 +158,10 @@ Json json_vector(const glm::vec3& v) {
     return Json::array({v.x, v.y, v.z});
 }
 
-Json json_kinds(const SceneSummary& summary) {
-    Json kinds = Json::object();
-    for (const auto& [kind, count] : summary.materials_by_kind) kinds[kind] = count;
-    return kinds;
+Json json_counts(const CountsByWord& counts) {
+    Json object = Json::object();
+    for (const auto& [word, count] : counts) object[word] = count;
+    return object;
 }
 
 Json json_cameras(const std::vector<Camera>& cameras) {
@@ -177,11 +196,13 @@ void print_json(const Scene& scene, const SceneSummary& summary, const DeviceMem
                                 {"meshes", scene.meshes.size()},
                                 {"instances", scene.instances.size()},
                                 {"spheres", scene.spheres.size()},
-                                {"materials", json_kinds(summary)},
+                                {"shapes", json_counts(summary.shapes)},
+                                {"materials", json_counts(summary.materials)},
                                 {"textures", scene.textures.size()},
                                 {"texture_bytes", summary.texture_bytes},
                                 {"point_lights", scene.point_lights.size()},
                                 {"directional_lights", scene.directional_lights.size()},
+                                {"area_lights", json_counts(summary.area_lights)},
                                 {"environment_radiance", json_vector(scene.environment.radiance)},
                                 {"environment_map", scene.environment.map.has_value()},
                                 {"cameras", json_cameras(scene.cameras)},
@@ -204,12 +225,9 @@ SceneSummary summarize(const Scene& scene) {
         summary.instanced_triangles += scene.meshes[instance.mesh].triangles.size();
         summary.emissive_triangles += emissive[instance.mesh];
     }
-    for (size_t kind = 0; kind < MATERIAL_KIND_NAMES.size(); ++kind) {
-        const auto is_kind = [&](const Material& m) { return size_t(m.kind) == kind; };
-        const auto count = std::count_if(scene.materials.begin(), scene.materials.end(), is_kind);
-        if (count > 0)
-            summary.materials_by_kind.emplace_back(MATERIAL_KIND_NAMES[kind], size_t(count));
-    }
+    summary.shapes = count_kinds(scene.shapes);
+    summary.materials = count_kinds(scene.materials);
+    summary.area_lights = count_kinds(scene.area_lights);
     for (const Texture& texture : scene.textures)
         summary.texture_bytes += bytes_of(texture.image.rgba);
     summary.host_bytes = host_bytes(scene, summary.texture_bytes);

@@ -12,12 +12,15 @@
 
 namespace onde::app {
 
+/// How many there are of each kind that there is, by its word.
+using CountsByWord = std::vector<std::pair<std::string, size_t>>;
+
 /// Counts of a scene. Bytes are those of the host's vectors, before anything is packed.
 struct SceneSummary {
     uint64_t unique_triangles = 0;    ///< stored
     uint64_t instanced_triangles = 0; ///< seen by a ray: each instance counts
     uint64_t emissive_triangles = 0;  ///< of those seen
-    std::vector<std::pair<std::string, size_t>> materials_by_kind;
+    CountsByWord shapes, materials, area_lights;
     uint64_t texture_bytes = 0;
     uint64_t host_bytes = 0;
 };

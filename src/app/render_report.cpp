@@ -19,9 +19,10 @@ double mega(double value) {
     return value * 1e-6;
 }
 
-const char* engine_name(const RenderOptions& options) {
-    if (options.engine == Engine::megakernel) return "megakernel";
-    return options.settings.launch == gpu::Launch::fused ? "wavefront, fused" : "wavefront, staged";
+std::string engine_name(const RenderOptions& options) {
+    const std::string engine(word_of(options.engine));
+    if (options.engine == Engine::megakernel) return engine;
+    return fmt::format("{}, {}", engine, word_of(options.settings.launch));
 }
 
 void print_rays(const RenderReport& r) {
@@ -48,8 +49,8 @@ void print_report(const RenderReport& r) {
                r.bvh.triangles, r.bvh.spheres, r.bvh.instances, r.load_seconds);
     fmt::print("bvh       {}: {} nodes, {} leaf blocks, SAH cost {:.1f}; built in {:.3f} s "
                "({:.2f} Mtriangles/s)\n",
-               layout_name(r.layout), r.bvh.nodes, r.bvh.blocks, r.bvh.sah_cost,
-               r.bvh.build_seconds, mega(r.bvh.triangles / std::max(r.bvh.build_seconds, 1e-9)));
+               word_of(r.layout), r.bvh.nodes, r.bvh.blocks, r.bvh.sah_cost, r.bvh.build_seconds,
+               mega(r.bvh.triangles / std::max(r.bvh.build_seconds, 1e-9)));
     fmt::print("kernels   {} in {:.3f} s\n",
                r.kernels.from_cache ? "loaded from the cache" : "compiled", r.kernels.seconds);
     fmt::print("memory    scene {:.1f} MiB, paths in flight {:.1f} MiB, film {:.1f} MiB\n",
@@ -81,7 +82,7 @@ void write_report(const RenderReport& r, const std::filesystem::path& path) {
         {"triangles", r.bvh.triangles},
         {"spheres", r.bvh.spheres},
         {"instances", r.bvh.instances},
-        {"layout", layout_name(r.layout)},
+        {"layout", word_of(r.layout)},
         {"load_seconds", r.load_seconds},
         {"bvh_seconds", r.bvh.build_seconds},
         {"pack_seconds", r.pack_seconds},

@@ -19,36 +19,8 @@ namespace {
 /// As in scene files.
 constexpr float MOST_STOPS = 64.0f;
 
-const std::map<std::string, Engine> ENGINES{{"wavefront", Engine::wavefront},
-                                            {"megakernel", Engine::megakernel}};
-// A line here makes an integrator reachable.
-const std::map<std::string, IntegratorKind> INTEGRATORS{
-    {"path", IntegratorKind::path},
-    {"whitted", IntegratorKind::whitted},
-    {"light", IntegratorKind::light},
-    {"depth-buffer", IntegratorKind::depth_buffer},
-    {"painter", IntegratorKind::painter}};
-const std::map<std::string, gpu::Launch> LAUNCHES{{"staged", gpu::Launch::staged},
-                                                  {"fused", gpu::Launch::fused}};
-const std::map<std::string, gpu::QueueKind> QUEUES{{"chunk-local", gpu::QueueKind::chunk_local},
-                                                   {"global", gpu::QueueKind::global}};
-const std::map<std::string, BvhBuilder> BUILDERS{{"sah", BvhBuilder::sah},
-                                                 {"high", BvhBuilder::high},
-                                                 {"median", BvhBuilder::median},
-                                                 {"median-spatial", BvhBuilder::median_spatial},
-                                                 {"none", BvhBuilder::none}};
-const std::map<std::string, BvhLayout> LAYOUTS{
-    {layout_name(BvhLayout::wide), BvhLayout::wide},
-    {layout_name(BvhLayout::compressed), BvhLayout::compressed},
-    {layout_name(BvhLayout::binary), BvhLayout::binary}};
 const std::map<std::string, bool> AOVS{{"tests", true}};
 const std::map<std::string, bool> SWITCH{{"on", true}, {"off", false}};
-const std::map<std::string, Filter> FILTERS{{"box", Filter::box},
-                                            {"tent", Filter::tent},
-                                            {"gaussian", Filter::gaussian},
-                                            {"blackman-harris", Filter::blackman_harris}};
-const std::map<std::string, ToneMap> TONE_MAPS{{"none", ToneMap::none},
-                                               {"filmic", ToneMap::filmic}};
 
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
     if (const auto size = parse_pair(text, 'x')) return *size;
@@ -88,7 +60,7 @@ void declare_picture(Command& command, RenderRequest& r) {
                    {.value = "SECONDS"});
     command.option("--exposure", &r.exposure, "Brighten the .png by that many stops",
                    {.value = "STOPS"});
-    command.choice("--tone-map", r.tone_map, TONE_MAPS, "How the .png rolls off highlights (none)");
+    command.choice("--tone-map", r.tone_map, "How the .png rolls off highlights (none)");
     command.choice("--aov", r.cost_aov, AOVS,
                    "Also write OUTPUT.tests: boxes and primitives that each pixel's camera ray "
                    "tests,\nas numbers in .exr, as colours in .png");
@@ -96,29 +68,27 @@ void declare_picture(Command& command, RenderRequest& r) {
 }
 
 void declare_estimator(Command& command, RenderRequest& r) {
-    command.choice("--integrator", r.integrator, INTEGRATORS,
-                   "What is computed (the scene's, else path)");
+    command.choice("--integrator", r.integrator, "What is computed (the scene's, else path)");
     command.option("--depth", &r.depth, "The most surfaces a path visits (the scene's, else 8)",
                    {.value = "N"});
     command.option("--seed", &r.seed, "Of the random numbers; same seed, same picture (0)",
                    {.value = "N"});
-    command.choice("--filter", r.filter, FILTERS, "Pixel filter (blackman-harris)");
-    command.choice("--bvh", r.bvh.builder, BUILDERS,
+    command.choice("--filter", r.filter, "Pixel filter (blackman-harris)");
+    command.choice("--bvh", r.bvh.builder,
                    "Tree of boxes: fast to build (sah), fast to walk (high), or a plain one to "
                    "compare with");
-    command.choice("--layout", r.layout, LAYOUTS,
+    command.choice("--layout", r.layout,
                    "How the tree lies in memory (wide on CPUs, measured once on others)");
     command.flag("--watertight", r.bvh.watertight,
                  "Let no ray slip between triangles that share an edge or a corner");
 }
 
 void declare_engine(Command& command, RenderRequest& r) {
-    command.choice("--engine", r.engine, ENGINES,
-                   "How paths are driven through the device (wavefront)");
-    command.choice("--launch", r.launch, LAUNCHES,
+    command.choice("--engine", r.engine, "How paths are driven through the device (wavefront)");
+    command.choice("--launch", r.launch,
                    "Wavefront stages one by one, or all in one kernel\n(this and the next: what "
                    "suits the device)");
-    command.choice("--queue", r.queue, QUEUES, "Where live rays are kept");
+    command.choice("--queue", r.queue, "Where live rays are kept");
     command.choice("--packets", r.packets, SWITCH, "Primary rays in packets of 16");
     command.choice("--interleave", r.turns, SWITCH,
                    "Rays of late bounces in turns (where the tree is larger than the cache)");
@@ -145,7 +115,7 @@ uint32_t resolve_depth(const RenderRequest& request, const RenderSettings& own,
     const bool is_own = options.integrator == own.integrator.value_or(IntegratorKind::path);
     if (is_own || depth <= most) return depth;
     spdlog::info("the scene's depth of {} was cut to {}, the most that --integrator {} takes",
-                 depth, most, integrator_name(options.integrator));
+                 depth, most, word_of(options.integrator));
     return most;
 }
 
@@ -190,11 +160,9 @@ void declare_replay_options(Command& command, RenderRequest& request) {
 }
 
 Scene load_requested_scene(const RenderRequest& request) {
-    Scene scene = load_scene(request.scene);
-    if (!request.environment.empty())
-        scene.environment =
-            load_environment(request.environment, glm::vec3(1.0f), request.environment_rotation);
-    return scene;
+    if (request.environment.empty()) return load_scene(request.scene);
+    return load_scene(request.scene, load_environment(request.environment, glm::vec3(1.0f),
+                                                      request.environment_rotation));
 }
 
 void check_request(const RenderRequest& r) {
@@ -240,11 +208,6 @@ BvhOptions resolve_bvh(const RenderRequest& request, gpu::Programs& programs) {
     BvhOptions options = request.bvh;
     options.layout = request.layout ? *request.layout : suitable_layout(programs);
     return options;
-}
-
-const std::string& integrator_name(IntegratorKind kind) {
-    return std::ranges::find(INTEGRATORS, kind, [](const auto& line) { return line.second; })
-        ->first;
 }
 
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name) {

@@ -73,9 +73,6 @@ RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
 /// How the tree is built and laid out for the device, on which layouts may be measured first.
 BvhOptions resolve_bvh(const RenderRequest& request, gpu::Programs& programs);
 
-/// The word of `--integrator`.
-const std::string& integrator_name(IntegratorKind kind);
-
 /// Where a picture's companion of that name goes: out.png's "tests" to out.tests.png.
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name);
 

@@ -2,6 +2,8 @@
 // Only command_line.cpp sees the library behind it, which takes seconds to compile.
 #pragma once
 
+#include "core/enum_words.h"
+
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -53,6 +55,20 @@ class Command {
     /// True when it is there.
     void flag(const std::string& name, bool& field, const std::string& help);
 
+    /// An option that takes one of an enum's words.
+    template <class Enum>
+    requires WordedEnum<Enum>
+    void choice(const std::string& name, Enum& field, const std::string& help) {
+        choose<Enum>(
+            name, [&field](Enum value) { field = value; }, help);
+    }
+    template <class Enum>
+    requires WordedEnum<Enum>
+    void choice(const std::string& name, std::optional<Enum>& field, const std::string& help) {
+        choose<Enum>(
+            name, [&field](Enum value) { field = value; }, help);
+    }
+
     /// An option that takes one of a few words. `words` must outlive the parsing.
     template <class T, class Field>
     void choice(const std::string& name, Field& field, const std::map<std::string, T>& words,
@@ -68,6 +84,14 @@ class Command {
     void on_run(std::function<void()> run);
 
   private:
+    template <class Enum, class Take>
+    void choose(const std::string& name, const Take& take, const std::string& help) {
+        OptionRules rules{.value = "WORD"};
+        for (const EnumWord<Enum>& line : WORDS_OF<Enum>) rules.words.emplace_back(line.word);
+        option_function(
+            name, [take](const std::string& word) { take(*value_of<Enum>(word)); }, help, rules);
+    }
+
     void option_function(const std::string& name, std::function<void(const std::string&)> take,
                          const std::string& help, const OptionRules& rules);
 

@@ -34,10 +34,8 @@ std::string describe(const DeviceSettings& settings) {
     return fmt::format("{} lane{}, waves of {} paths, {} per work item, groups of {}, {} queues, "
                        "{} stages, primary packets {}",
                        settings.width, settings.width == 1 ? "" : "s", settings.wave_size,
-                       settings.chunk, settings.local_size,
-                       settings.queue == QueueKind::chunk_local ? "chunk-local" : "global",
-                       settings.launch == Launch::fused ? "fused" : "separate",
-                       settings.primary_packets ? "on" : "off");
+                       settings.chunk, settings.local_size, word_of(settings.queue),
+                       word_of(settings.launch), settings.primary_packets ? "on" : "off");
 }
 
 } // namespace onde::gpu

@@ -1,6 +1,7 @@
 // How work is cut for a device: the one place where device facts become render settings.
 #pragma once
 
+#include "core/enum_words.h"
 #include "gpu/device.h"
 
 #include <cstdint>
@@ -13,10 +14,19 @@ enum class QueueKind {
     global,      ///< one queue per stage, appended to with aggregated atomics
 };
 
+constexpr auto enum_words(QueueKind) {
+    return std::array{EnumWord{QueueKind::chunk_local, "chunk-local"},
+                      EnumWord{QueueKind::global, "global"}};
+}
+
 enum class Launch {
     staged, ///< one kernel per stage and bounce
     fused,  ///< one kernel in which a work item runs all stages and bounces of its chunk
 };
+
+constexpr auto enum_words(Launch) {
+    return std::array{EnumWord{Launch::staged, "staged"}, EnumWord{Launch::fused, "fused"}};
+}
 
 struct DeviceSettings {
     uint32_t width = 1;            ///< paths that one work item shades at once (lanes)

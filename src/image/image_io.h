@@ -1,6 +1,7 @@
 // Pictures in files. The only door to OpenImageIO: nothing else includes it.
 #pragma once
 
+#include "core/enum_words.h"
 #include "image/image.h"
 
 #include <cstdint>
@@ -35,6 +36,10 @@ void write_exr(const std::filesystem::path& path, const Image& image, const Imag
                ExrDepth depth = ExrDepth::half_float);
 
 enum class ToneMap { none, filmic };
+
+constexpr auto enum_words(ToneMap) {
+    return std::array{EnumWord{ToneMap::none, "none"}, EnumWord{ToneMap::filmic, "filmic"}};
+}
 
 /// How linear radiance becomes a displayed picture.
 struct Display {

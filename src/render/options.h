@@ -1,6 +1,7 @@
 // What to render and how, once every default is filled in.
 #pragma once
 
+#include "core/enum_words.h"
 #include "gpu/settings.h"
 #include "scene/scene.h"
 
@@ -13,6 +14,11 @@ enum class Engine {
     wavefront,  ///< stages over queues of rays, staged or fused as the device settings say
     megakernel, ///< the whole path in one kernel
 };
+
+constexpr auto enum_words(Engine) {
+    return std::array{EnumWord{Engine::wavefront, "wavefront"},
+                      EnumWord{Engine::megakernel, "megakernel"}};
+}
 
 struct RenderOptions {
     uint32_t width = 800, height = 600; ///< pixels, each in [1, 65535]

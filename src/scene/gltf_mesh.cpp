@@ -61,6 +61,10 @@ std::vector<uint32_t> vertex_order(const File& file, const tinygltf::Primitive& 
 
 void note_ignored(File& file, const tinygltf::Primitive& primitive, const std::string& user) {
     if (attribute(primitive, "COLOR_0") >= 0) file.notes.add("Vertex colours are ignored", user);
+    if (attribute(primitive, "TANGENT") >= 0)
+        file.notes.add("Tangents are ignored: they follow from the texture coordinates", user);
+    if (attribute(primitive, "TEXCOORD_1") >= 0)
+        file.notes.add("A second set of texture coordinates is ignored", user);
     if (!primitive.targets.empty()) file.notes.add("Morph targets are ignored", user);
 }
 

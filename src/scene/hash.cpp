@@ -51,6 +51,7 @@ void add(Hasher& hasher, const Camera& camera) {
     hasher.value(camera.camera_to_world).value(camera.vertical_fov);
     hasher.value(camera.aperture_radius).value(camera.focus_distance);
     hasher.value(camera.orthographic_height);
+    hasher.value(uint32_t(camera.screen.has_value()));
     if (!camera.screen) return;
     hasher.value(camera.screen->size).value(camera.screen->distance);
     add(hasher, camera.screen->first_pixel);

@@ -27,8 +27,9 @@ Scene load_part(const fs::path& path, const std::vector<fs::path>& ancestors) {
         path.string(), extension);
 }
 
-Scene load_scene(const fs::path& path) {
+Scene load_scene(const fs::path& path, const std::optional<Environment>& environment) {
     Scene scene = load_part(path);
+    if (environment) scene.environment = *environment;
     try {
         check_scene(scene);
         complete_scene(scene);

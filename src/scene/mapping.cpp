@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
 
 namespace onde {
 namespace {
@@ -15,13 +15,12 @@ using Sentences = std::vector<std::string>;
 /// "2 diffuse, 1 dielectric": the materials that `is_mapped`, counted by the kind of `kind_of`.
 template <class IsMapped, class KindOf>
 std::string count_kinds(const Scene& scene, const IsMapped& is_mapped, const KindOf& kind_of) {
-    std::array<size_t, MATERIAL_KIND_NAMES.size()> counts{};
+    std::map<MaterialKind, size_t> counts;
     for (const Material& material : scene.materials)
-        if (is_mapped(material)) ++counts[size_t(kind_of(material))];
+        if (is_mapped(material)) ++counts[kind_of(material)];
     std::vector<std::string> words;
-    for (size_t kind = 0; kind < MATERIAL_KIND_NAMES.size(); ++kind)
-        if (counts[kind] > 0)
-            words.push_back(fmt::format("{} {}", counts[kind], MATERIAL_KIND_NAMES[kind]));
+    for (const auto& [kind, count] : counts)
+        words.push_back(fmt::format("{} {}", count, word_of(kind)));
     return fmt::format("{}", fmt::join(words, ", "));
 }
 

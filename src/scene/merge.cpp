@@ -123,6 +123,17 @@ static void take_missing(RenderSettings& whole, const RenderSettings& part) {
     take_missing(whole.integrator, part.integrator);
 }
 
+/// [whitted] is taken as a whole, from the including scene first.
+static void take_whitted(Scene& whole, const Scene& part) {
+    static const std::string left_out =
+        "The [whitted] settings of an included scene are left out: others come first.";
+    if (!whole.whitted.given)
+        whole.whitted = part.whitted;
+    else if (part.whitted.given && part.whitted != whole.whitted &&
+             std::ranges::find(whole.notes, left_out) == whole.notes.end())
+        whole.notes.push_back(left_out);
+}
+
 void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
                    const glm::mat4& transform) {
     if (whole.instances.size() + part.instances.size() > MAX_PLACED ||
@@ -152,6 +163,7 @@ void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
     for (const Camera& camera : part.cameras) whole.cameras.push_back(placed(camera, transform));
     if (!emits(whole.environment)) whole.environment = part.environment;
     take_missing(whole.settings, part.settings);
+    take_whitted(whole, part);
 }
 
 void append(Scene& whole, Scene&& part, const glm::mat4& transform) {

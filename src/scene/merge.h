@@ -15,7 +15,8 @@ AssetOffsets append_assets(Scene& whole, Scene& part);
 
 /// Places the instances, spheres, lights and cameras of `part`, whose assets lie at `offsets` in
 /// `whole`, by an affine, invertible transform. Lengths scale, intensities don't; environment and
-/// settings are taken where `whole` has none. Throws InputError when a sphere would be stretched or
+/// settings are taken where `whole` has none, and a note says that others of [whitted] are left
+/// out. Throws InputError when a sphere would be stretched or
 /// when there would be more than 2^22 instances or spheres.
 void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
                    const glm::mat4& transform);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <unordered_map>
@@ -73,6 +74,19 @@ class FolderMaterials : public tinyobj::MaterialReader {
     ObjFile& file_;
 };
 
+/// Materials that faces name but no MTL file has: tinyobjloader warns of each use in a line,
+/// "material [ 'NAME' ] not found in .mtl".
+void note_missing_materials(const std::string& warning, Notes& notes) {
+    constexpr std::string_view BEFORE = "material [ '", AFTER = "' ] not found in .mtl";
+    std::set<std::string> names;
+    std::istringstream lines(warning);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(BEFORE) && line.ends_with(AFTER))
+            names.insert(line.substr(BEFORE.size(), line.size() - BEFORE.size() - AFTER.size()));
+    for (const std::string& name : names)
+        notes.add("Materials that no MTL file has are diffuse grey", name);
+}
+
 ObjFile parse(const fs::path& path) {
     ObjFile file;
     file.path = path;
@@ -89,6 +103,7 @@ ObjFile parse(const fs::path& path) {
         std::replace(error.begin(), error.end(), '\n', ' ');
         throw InputError("{}: not a valid OBJ: {}; export it again", path.string(), error);
     }
+    note_missing_materials(warning, file.notes);
     return file;
 }
 

@@ -5,6 +5,7 @@
 // radiometric units (radiance W/(sr m^2), intensity W/sr, irradiance W/m^2), per RGB channel.
 #pragma once
 
+#include "core/enum_words.h"
 #include "image/image.h"
 #include "scene/lesson.h"
 
@@ -19,6 +20,11 @@
 namespace onde {
 
 enum class Wrap : uint32_t { repeat, clamp, mirror };
+
+constexpr auto enum_words(Wrap) {
+    return std::array{EnumWord{Wrap::repeat, "repeat"}, EnumWord{Wrap::clamp, "clamp"},
+                      EnumWord{Wrap::mirror, "mirror"}};
+}
 
 /// An 8-bit RGBA texture; `srgb` says that its colour channels need linearising (alpha never does).
 struct Texture {
@@ -39,9 +45,13 @@ enum class MaterialKind : uint32_t {
     phong,              ///< the chapter's (C6 to C9); path tracing maps it, see path_material()
 };
 
-/// For people, by kind.
-inline constexpr std::array MATERIAL_KIND_NAMES = {"diffuse", "conductor", "dielectric",
-                                                   "metallic-roughness", "phong"};
+constexpr auto enum_words(MaterialKind) {
+    return std::array{EnumWord{MaterialKind::diffuse, "diffuse"},
+                      EnumWord{MaterialKind::conductor, "conductor"},
+                      EnumWord{MaterialKind::dielectric, "dielectric"},
+                      EnumWord{MaterialKind::metallic_roughness, "metallic-roughness"},
+                      EnumWord{MaterialKind::phong, "phong"}};
+}
 
 /// What the Whitted integrator does at a surface; base_color is the chapter's Co, Material::ior its
 /// n2 / n1. docs/whitted.md says how each number is used, and what other kinds are mapped to.
@@ -98,6 +108,12 @@ struct Sphere {
 
 enum class ShapeKind : uint32_t { sphere, disk, cylinder, cone, torus };
 
+constexpr auto enum_words(ShapeKind) {
+    return std::array{EnumWord{ShapeKind::sphere, "sphere"}, EnumWord{ShapeKind::disk, "disk"},
+                      EnumWord{ShapeKind::cylinder, "cylinder"}, EnumWord{ShapeKind::cone, "cone"},
+                      EnumWord{ShapeKind::torus, "torus"}};
+}
+
 /// An analytic shape: a canonical one in object space, placed by an affine, invertible transform.
 /// sphere: radius 1 about the origin. disk: radius 1 in the XZ plane, front toward +Y.
 /// cylinder: radius 1 about the Y axis, y in [-1, 1]. cone: base of radius 1 at y = 0, tip at
@@ -125,6 +141,12 @@ struct DirectionalLight {
 };
 
 enum class AreaLightKind : uint32_t { rectangle, disk, sphere };
+
+constexpr auto enum_words(AreaLightKind) {
+    return std::array{EnumWord{AreaLightKind::rectangle, "rectangle"},
+                      EnumWord{AreaLightKind::disk, "disk"},
+                      EnumWord{AreaLightKind::sphere, "sphere"}};
+}
 
 /// An extended source as the Whitted integrator sees it. The geometry that emits `radiance` is
 /// among the scene's meshes, spheres and shapes as well.
@@ -169,6 +191,7 @@ struct Camera {
 /// The surface-by-surface estimator of chapter 2, after T. Whitted, "An improved illumination
 /// model for shaded display", 1980.
 struct WhittedSettings {
+    bool given = false; ///< by a scene file: then those of included files are left out
     std::optional<glm::vec3> ambient;    ///< intensity * colour; else the environment's radiance
     std::optional<glm::vec3> background; ///< what a miss sees; else the environment
     bool saturate = true;                ///< sums are cut at 1 at every node
@@ -177,11 +200,27 @@ struct WhittedSettings {
     bool fresnel = false;                ///< splits transparent surfaces by Fresnel's formula
     float epsilon = 0.0f;     ///< rays whose product of factors is not above it are not followed
     uint32_t wavelengths = 7; ///< that a white ray splits into at a dispersive surface, in [3, 16]
+
+    bool operator==(const WhittedSettings&) const = default;
 };
 
 enum class IntegratorKind : uint32_t { path, whitted, light, depth_buffer, painter };
 
+constexpr auto enum_words(IntegratorKind) {
+    return std::array{EnumWord{IntegratorKind::path, "path"},
+                      EnumWord{IntegratorKind::whitted, "whitted"},
+                      EnumWord{IntegratorKind::light, "light"},
+                      EnumWord{IntegratorKind::depth_buffer, "depth-buffer"},
+                      EnumWord{IntegratorKind::painter, "painter"}};
+}
+
 enum class Filter : uint32_t { box, tent, gaussian, blackman_harris };
+
+constexpr auto enum_words(Filter) {
+    return std::array{EnumWord{Filter::box, "box"}, EnumWord{Filter::tent, "tent"},
+                      EnumWord{Filter::gaussian, "gaussian"},
+                      EnumWord{Filter::blackman_harris, "blackman-harris"}};
+}
 
 /// What a scene file may ask for; the command line overrides each.
 struct RenderSettings {

@@ -70,13 +70,17 @@ void TomlScene::read_settings(const TableReader& root) {
         settings.depth = render.integer("depth", 1, 1u << 16);
         settings.seed = render.integer("seed", 0, 0xffffffffu);
         settings.exposure = render.number("exposure", {.low = -64, .high = 64});
-        if (const auto filter =
-                render.choice("filter", {"box", "tent", "gaussian", "blackman_harris"}))
-            settings.filter = Filter(*filter);
-        if (const auto integrator = render.choice(
-                "integrator", {"path", "whitted", "light", "depth-buffer", "painter"}))
-            settings.integrator = IntegratorKind(*integrator);
+        settings.filter = render.choice<Filter>("filter");
+        settings.integrator = render.choice<IntegratorKind>("integrator");
     }
+}
+
+/// Whose factor light gets that is reflected (C8).
+enum class Reflectivity { surface, source };
+
+constexpr auto enum_words(Reflectivity) {
+    return std::array{EnumWord{Reflectivity::surface, "surface"},
+                      EnumWord{Reflectivity::source, "source"}};
 }
 
 void TomlScene::read_whitted(const TableReader& root) {
@@ -84,11 +88,11 @@ void TomlScene::read_whitted(const TableReader& root) {
         table.allow({"ambient", "background", "saturate", "reflectivity", "distance_falloff",
                      "fresnel", "epsilon", "wavelengths"});
         WhittedSettings& w = scene_.whitted;
+        w.given = true;
         w.ambient = table.color("ambient", NOT_NEGATIVE);
         w.background = table.color("background", NOT_NEGATIVE);
         w.saturate = table.boolean("saturate").value_or(true);
-        w.source_reflectivity =
-            table.choice("reflectivity", {"surface", "source"}).value_or(0) == 1;
+        w.source_reflectivity = table.choice<Reflectivity>("reflectivity") == Reflectivity::source;
         w.distance_falloff = table.boolean("distance_falloff").value_or(false);
         w.fresnel = table.boolean("fresnel").value_or(false);
         w.epsilon = table.number("epsilon", UNIT).value_or(0.0f);
@@ -150,7 +154,7 @@ glm::vec3 TomlScene::base_color(const TableReader& table) const {
 int32_t TomlScene::texture(const TableReader& table, std::string_view key, bool srgb) {
     const auto name = table.text(key);
     if (!name) return NO_TEXTURE;
-    const Wrap wrap = Wrap(table.choice("wrap", {"repeat", "clamp", "mirror"}).value_or(0));
+    const Wrap wrap = table.choice<Wrap>("wrap").value_or(Wrap::repeat);
     return add_texture_file(scene_, folder_, *name, {srgb, wrap, wrap}, table.where(key));
 }
 
@@ -192,9 +196,7 @@ void TomlScene::read_material(const TableReader& table) {
                  "abbe"});
     Material m;
     m.name = table.require("name", table.text("name"));
-    m.kind = MaterialKind(
-        table.choice("kind", {"diffuse", "conductor", "dielectric", "metallic_roughness", "phong"})
-            .value_or(0));
+    m.kind = table.choice<MaterialKind>("kind").value_or(m.kind);
     const bool smooth = m.kind == MaterialKind::conductor || m.kind == MaterialKind::dielectric;
     m.base_color = base_color(table);
     m.roughness = table.number("roughness", UNIT).value_or(smooth ? 0.0f : 1.0f);

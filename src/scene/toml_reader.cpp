@@ -42,13 +42,13 @@ static size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-static std::string nearest(std::string_view text, std::initializer_list<std::string_view> names) {
+static std::string nearest(std::string_view text, std::span<const std::string_view> names) {
     return std::string(*std::min_element(names.begin(), names.end(), [&](auto a, auto b) {
         return edit_distance(text, a) < edit_distance(text, b);
     }));
 }
 
-static std::string joined(std::initializer_list<std::string_view> names) {
+static std::string joined(std::span<const std::string_view> names) {
     std::string list;
     for (std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
     return list;
@@ -133,16 +133,10 @@ std::optional<glm::vec3> TableReader::color(std::string_view key, Range range) c
     return vector(key, range);
 }
 
-std::optional<size_t> TableReader::choice(std::string_view key,
-                                          std::initializer_list<std::string_view> names) const {
-    const std::optional<std::string> value = text(key);
-    if (!value) return std::nullopt;
-    const auto found = std::find(names.begin(), names.end(), *value);
-    if (found == names.end())
-        fail(key,
-             fmt::format("can't be '{}'; did you mean '{}'? Allowed: {}", *value,
-                         nearest(std::string_view(*value).substr(0, 64), names), joined(names)));
-    return size_t(found - names.begin());
+void TableReader::fail_choice(std::string_view key, const std::string& word,
+                              std::span<const std::string_view> words) const {
+    fail(key, fmt::format("can't be '{}'; did you mean '{}'? Allowed: {}", word,
+                          nearest(std::string_view(word).substr(0, 64), words), joined(words)));
 }
 
 static const toml::array* array_of(const toml::table& table, std::string_view key) {

@@ -1,6 +1,8 @@
 // Reads a TOML table key by key, with one sentence for everything that can be wrong with it.
 #pragma once
 
+#include "core/enum_words.h"
+
 #include <glm/glm.hpp>
 #include <toml++/toml.h>
 
@@ -8,6 +10,7 @@
 #include <initializer_list>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,9 +53,15 @@ class TableReader {
     /// Exactly `count` numbers.
     std::optional<std::vector<float>> numbers(std::string_view key, size_t count,
                                               Range range) const;
-    /// The index of the key's text among `names`.
-    std::optional<size_t> choice(std::string_view key,
-                                 std::initializer_list<std::string_view> names) const;
+    /// The value of an enum that the key's text is the word of.
+    template <WordedEnum Enum>
+    std::optional<Enum> choice(std::string_view key) const {
+        const std::optional<std::string> word = text(key);
+        if (!word) return std::nullopt;
+        const std::optional<Enum> value = value_of<Enum>(*word);
+        if (!value) fail_choice(key, *word, all_words<Enum>());
+        return value;
+    }
     /// Rows of three numbers.
     std::vector<glm::dvec3> rows(std::string_view key) const;
     /// The texts of an array.
@@ -77,6 +86,8 @@ class TableReader {
     std::string where(std::string_view key = {}) const;
 
   private:
+    [[noreturn]] void fail_choice(std::string_view key, const std::string& word,
+                                  std::span<const std::string_view> words) const;
     float to_float(const toml::node& node, std::string_view key, Range range) const;
 
     const toml::table* table_;

@@ -120,25 +120,43 @@ void TomlScene::add_mesh_file(const TableReader& table) {
     place(table, "file", file, part(table, "file", file, true, material), placement(table));
 }
 
+enum class ShapeType {
+    sphere,
+    rectangle,
+    box,
+    plane,
+    mesh,
+    disk,
+    cylinder,
+    cone,
+    torus,
+    ellipsoid
+};
+
+constexpr auto enum_words(ShapeType) {
+    return std::array{
+        EnumWord{ShapeType::sphere, "sphere"},     EnumWord{ShapeType::rectangle, "rectangle"},
+        EnumWord{ShapeType::box, "box"},           EnumWord{ShapeType::plane, "plane"},
+        EnumWord{ShapeType::mesh, "mesh"},         EnumWord{ShapeType::disk, "disk"},
+        EnumWord{ShapeType::cylinder, "cylinder"}, EnumWord{ShapeType::cone, "cone"},
+        EnumWord{ShapeType::torus, "torus"},       EnumWord{ShapeType::ellipsoid, "ellipsoid"}};
+}
+
 void TomlScene::read_shape(const TableReader& table) {
-    enum { SPHERE, RECTANGLE, BOX, PLANE, MESH, DISK, CYLINDER, CONE, TORUS, ELLIPSOID };
-    const size_t type = table.require(
-        "type", table.choice("type", {"sphere", "rectangle", "box", "plane", "mesh", "disk",
-                                      "cylinder", "cone", "torus", "ellipsoid"}));
-    switch (type) {
-    case SPHERE:
+    switch (const ShapeType type = table.require("type", table.choice<ShapeType>("type"))) {
+    case ShapeType::sphere:
         table.allow({"type", "material", "center", "radius"});
         return add_sphere(table, material_named_in(table));
-    case RECTANGLE:
+    case ShapeType::rectangle:
         table.allow({"type", "material", "position", "rotation", "scale", "size", "corner", "edge1",
                      "edge2"});
         return add_rectangle(table, material_named_in(table));
-    case BOX: {
+    case ShapeType::box: {
         table.allow({"type", "material", "position", "rotation", "scale", "size"});
         const glm::vec3 size = table.color("size", POSITIVE).value_or(glm::vec3(1.0f));
         return add_baked(box_mesh(size, material_named_in(table)), placement(table));
     }
-    case PLANE: {
+    case ShapeType::plane: {
         table.allow({"type", "material", "position", "rotation", "scale", "size"});
         const float size = table.number("size", POSITIVE).value_or(1000.0f);
         const glm::vec3 corner(-0.5f * size, 0.0f, 0.5f * size), x(size, 0, 0),
@@ -146,21 +164,21 @@ void TomlScene::read_shape(const TableReader& table) {
         return add_baked(rectangle_mesh(corner, x, minus_z, material_named_in(table)),
                          placement(table));
     }
-    case DISK:
+    case ShapeType::disk:
         table.allow({"type", "material", "position", "rotation", "scale", "radius"});
         return add_disk(table, material_named_in(table));
-    case CYLINDER:
-    case CONE: {
+    case ShapeType::cylinder:
+    case ShapeType::cone: {
         table.allow({"type", "material", "position", "rotation", "scale", "radius", "height"});
         const float radius = table.number("radius", POSITIVE).value_or(1.0f);
         const float height = table.number("height", POSITIVE).value_or(1.0f);
-        const bool cone = type == CONE;
+        const bool cone = type == ShapeType::cone;
         return add_placed(table,
                           {.kind = cone ? ShapeKind::cone : ShapeKind::cylinder,
                            .material = material_named_in(table)},
                           glm::vec3(radius, cone ? height : 0.5f * height, radius));
     }
-    case TORUS: {
+    case ShapeType::torus: {
         table.allow(
             {"type", "material", "position", "rotation", "scale", "major_radius", "minor_radius"});
         const float major = table.number("major_radius", POSITIVE).value_or(1.0f);
@@ -173,13 +191,13 @@ void TomlScene::read_shape(const TableReader& table) {
                            .minor_radius = minor / major},
                           glm::vec3(major));
     }
-    case ELLIPSOID: {
+    case ShapeType::ellipsoid: {
         table.allow({"type", "material", "position", "rotation", "scale", "radii"});
         const glm::vec3 radii = table.color("radii", POSITIVE).value_or(glm::vec3(1.0f));
         return add_placed(table, {.kind = ShapeKind::sphere, .material = material_named_in(table)},
                           radii);
     }
-    default:
+    case ShapeType::mesh:
         table.allow({"type", "material", "position", "rotation", "scale", "file", "positions",
                      "triangles"});
         if (table.text("file")) return add_mesh_file(table);
@@ -219,23 +237,30 @@ void TomlScene::add_area_light(const TableReader& table, AreaLight light) {
     scene_.area_lights.push_back(light);
 }
 
+enum class LightType { point, directional, rectangle, sphere, disk };
+
+constexpr auto enum_words(LightType) {
+    return std::array{EnumWord{LightType::point, "point"},
+                      EnumWord{LightType::directional, "directional"},
+                      EnumWord{LightType::rectangle, "rectangle"},
+                      EnumWord{LightType::sphere, "sphere"}, EnumWord{LightType::disk, "disk"}};
+}
+
 void TomlScene::read_light(const TableReader& table) {
-    enum { POINT, DIRECTIONAL, RECTANGLE, SPHERE, DISK };
-    const size_t type = table.require(
-        "type", table.choice("type", {"point", "directional", "rectangle", "sphere", "disk"}));
-    if (type == POINT) {
+    const LightType type = table.require("type", table.choice<LightType>("type"));
+    if (type == LightType::point) {
         table.allow({"type", "position", "intensity", "strength"});
         const Measures m = measures(table, "intensity");
         scene_.point_lights.push_back(
             {table.require("position", table.vector("position")), m.radiometric, m.strength});
-    } else if (type == DIRECTIONAL) {
+    } else if (type == LightType::directional) {
         table.allow({"type", "direction", "irradiance", "strength"});
         const glm::dvec3 direction(table.require("direction", table.vector("direction")));
         if (glm::length(direction) < 1e-30) table.fail("direction", "must not be zero");
         const Measures m = measures(table, "irradiance");
         scene_.directional_lights.push_back(
             {glm::vec3(-glm::normalize(direction)), m.radiometric, m.strength});
-    } else if (type == RECTANGLE) {
+    } else if (type == LightType::rectangle) {
         table.allow({"type", "radiance", "strength", "samples", "two_sided", "position", "rotation",
                      "scale", "size", "corner", "edge1", "edge2"});
         add_rectangle(table, emitter(table));
@@ -245,7 +270,7 @@ void TomlScene::read_light(const TableReader& table) {
         light.edge1 = mesh.positions[1] - mesh.positions[0];
         light.edge2 = mesh.positions[3] - mesh.positions[0];
         add_area_light(table, light);
-    } else if (type == DISK) {
+    } else if (type == LightType::disk) {
         table.allow({"type", "radiance", "strength", "samples", "two_sided", "position", "rotation",
                      "scale", "radius"});
         add_disk(table, emitter(table));
@@ -275,6 +300,7 @@ static void keep_geometry(Scene& scene) {
     scene.cameras.clear();
     scene.environment = {};
     scene.settings = {};
+    scene.whitted = {};
 }
 
 TomlScene::Part& TomlScene::part(const TableReader& table, std::string_view key,

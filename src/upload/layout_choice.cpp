@@ -14,8 +14,6 @@ namespace onde {
 
 namespace {
 
-constexpr BvhLayout LAYOUTS[] = {BvhLayout::wide, BvhLayout::compressed, BvhLayout::binary};
-
 /// A hilly field over [-1, 1] x [-1, 1].
 struct Field {
     static constexpr uint32_t CELLS = 256;
@@ -87,7 +85,7 @@ std::vector<LayoutRate> measure_layouts(gpu::Programs& programs) {
     const std::vector<QueryRay> set = field_rays();
     const QueryRays rays(programs.device(), set);
     std::vector<LayoutRate> rates;
-    for (const BvhLayout layout : LAYOUTS) {
+    for (const auto& [layout, word] : WORDS_OF<BvhLayout>) {
         RayQuery walker(programs, geometry, {.layout = layout});
         walker.closest(rays); // for pages and caches to fill
         rates.push_back({layout, 2e-6 * double(set.size()) / seconds_of(walker, rays)});
@@ -113,8 +111,7 @@ std::optional<BvhLayout> LayoutMemory::recall(const gpu::DeviceFacts& facts) con
     try {
         constexpr uint64_t LONGEST = 64;
         const std::string word = read_file(path(facts), LONGEST);
-        for (const BvhLayout layout : LAYOUTS)
-            if (word == layout_name(layout)) return layout;
+        return value_of<BvhLayout>(word);
     } catch (const std::exception&) { // never measured, or not by us
     }
     return std::nullopt;
@@ -127,7 +124,7 @@ void LayoutMemory::remember(const gpu::DeviceFacts& facts, BvhLayout layout) con
         replace_file(path(facts), [&](const std::filesystem::path& temporary) {
             std::ofstream out(temporary, std::ios::binary);
             out.exceptions(std::ios::failbit | std::ios::badbit);
-            out << layout_name(layout);
+            out << word_of(layout);
             out.close();
         });
     } catch (const std::exception&) { // a full or read-only disk only costs another measurement
@@ -146,18 +143,6 @@ BvhLayout suitable_layout(gpu::Programs& programs, const LayoutMemory& memory) {
     const BvhLayout layout = fastest_layout(measure_layouts(programs));
     memory.remember(device.facts(), layout);
     return layout;
-}
-
-const char* layout_name(BvhLayout layout) {
-    switch (layout) {
-    case BvhLayout::compressed:
-        return "compressed";
-    case BvhLayout::binary:
-        return "binary";
-    case BvhLayout::wide:
-        break;
-    }
-    return "wide";
 }
 
 } // namespace onde

@@ -43,7 +43,4 @@ BvhLayout known_layout(const gpu::DeviceFacts& facts, const LayoutMemory& memory
 /// The same, but a device that is not a CPU and not known yet is measured, which takes seconds.
 BvhLayout suitable_layout(gpu::Programs& programs, const LayoutMemory& memory = LayoutMemory());
 
-/// The word of `--layout`.
-const char* layout_name(BvhLayout layout);
-
 } // namespace onde

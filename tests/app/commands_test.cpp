@@ -127,6 +127,21 @@ TEST_CASE("info counts what is in a scene and plans the device's memory") {
     CHECK(memory.at("bytes") == sum);
 }
 
+TEST_CASE("info counts shapes and area lights by their kinds, and the host's bytes of them") {
+    const Folder folder;
+    const std::string one = "[[shape]]\ntype = \"torus\"\n";
+    folder.write("one.toml", one + "[environment]\n"); // and no studio
+    folder.write("more.toml", one + one + "[[light]]\ntype = \"disk\"\nradiance = 1\n");
+    const std::string text = output_of(folder, {"info", "more.toml"});
+    CHECK_THAT(text, Catch::Contains("shapes        3, 1 disk, 2 torus"));
+    CHECK_THAT(text, Catch::Contains("0 point, 0 directional; area 1, 1 disk"));
+    const auto few = nlohmann::json::parse(output_of(folder, {"info", "one.toml", "--json"}));
+    const auto more = nlohmann::json::parse(output_of(folder, {"info", "more.toml", "--json"}));
+    CHECK(more.at("shapes").at("torus") == 2);
+    CHECK(more.at("area_lights").at("disk") == 1);
+    CHECK(more.at("host_bytes") > few.at("host_bytes"));
+}
+
 TEST_CASE("a render takes the memory that info planned") {
     const Folder folder;
     const auto plan = nlohmann::json::parse(output_of(folder, {"info", CORNELL, "--json"}));

@@ -9,17 +9,23 @@ namespace {
 
 enum class Colour { red, blue };
 
+constexpr auto enum_words(Colour) {
+    return std::array{EnumWord{Colour::red, "red"}, EnumWord{Colour::blue, "blue"}};
+}
+
 /// A program with one command, as the words after its name call it.
 struct Program {
     std::string file;
     std::optional<uint32_t> count;
     std::vector<std::string> names;
     Colour colour = Colour::red;
+    std::optional<Colour> edge;
+    bool twice = false;
     bool quiet = false;
     int runs = 0;
 
     bool call(std::vector<std::string> words) {
-        const std::map<std::string, Colour> colours{{"red", Colour::red}, {"blue", Colour::blue}};
+        const std::map<std::string, bool> coats{{"one", false}, {"two", true}};
         CommandLine line("program", "It paints.", "1.2");
         Command root = line.root();
         root.require_command();
@@ -27,7 +33,9 @@ struct Program {
         paint.option("file", &file, "To paint", {.required = true});
         paint.option("--count", &count, "How often", {.value = "N", .least = 1, .most = 9});
         paint.option("--names", &names, "Of painters", {.delimiter = ','});
-        paint.choice("--colour", colour, colours, "Of the paint");
+        paint.choice("--colour", colour, "Of the paint");
+        paint.choice("--edge", edge, "Colour of the edge");
+        paint.choice("--coats", twice, coats, "How many");
         paint.flag("--quiet", quiet, "Say nothing");
         paint.on_run([this] { ++runs; });
         words.insert(words.begin(), "program");
@@ -41,12 +49,15 @@ struct Program {
 
 TEST_CASE("a command runs once, with every option where it belongs") {
     Program program;
-    CHECK(program.call({"paint", "--names", "a,b", "wall.png", "--count=3", "--colour", "blue"}));
+    CHECK(program.call({"paint", "--names", "a,b", "wall.png", "--count=3", "--colour", "blue",
+                        "--coats", "two", "--edge", "red"}));
     CHECK(program.runs == 1);
     CHECK(program.file == "wall.png");
     CHECK(program.count == 3u);
     CHECK(program.names == std::vector<std::string>{"a", "b"});
     CHECK(program.colour == Colour::blue);
+    CHECK(program.edge == Colour::red);
+    CHECK(program.twice);
     CHECK_FALSE(program.quiet);
 }
 

@@ -67,7 +67,7 @@ TEST_CASE("all layouts are measured, and the fastest is chosen") {
     REQUIRE(rates.size() == 3);
     const BvhLayout chosen = fastest_layout(rates);
     for (const LayoutRate& rate : rates) {
-        INFO(layout_name(rate.layout) << ": " << rate.mrays << " Mrays/s");
+        INFO(word_of(rate.layout) << ": " << rate.mrays << " Mrays/s");
         CHECK(rate.mrays > 0);
         if (rate.layout != chosen) continue;
         for (const LayoutRate& other : rates) CHECK(other.mrays <= rate.mrays);

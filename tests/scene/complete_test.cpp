@@ -1,7 +1,4 @@
-#include "core/error.h"
-#include "scene/load.h"
-
-#include <catch2/catch.hpp>
+#include "scratch.h"
 
 #include <cmath>
 #include <limits>
@@ -97,6 +94,17 @@ TEST_CASE("a scene with any light of its own gets no studio") {
     }
 }
 
+TEST_CASE("an environment that is given replaces the file's own before a studio is added") {
+    const test::ScratchFolder folder;
+    const auto path = folder.write("a.toml", "[[shape]]\ntype = \"sphere\"\n");
+    CHECK(load_scene(path).notes.size() == 2); // of the camera and the studio
+    const Scene lit = load_scene(path, Environment{.radiance = glm::vec3(0.25f), .map = {}});
+    CHECK(lit.environment.radiance == glm::vec3(0.25f));
+    CHECK(lit.notes.size() == 1);
+    const Scene dark = load_scene(path, Environment{});
+    CHECK(dark.environment.map);
+}
+
 TEST_CASE("small glowing details of a texture don't light a scene, a glowing texture does") {
     for (const bool bright : {false, true}) {
         Scene scene = one_triangle();
@@ -132,7 +140,7 @@ TEST_CASE("the scene hash follows what can change a pixel and nothing else") {
     same.notes.push_back("A note.");
     same.settings.samples = 3;
     CHECK(scene_hash(same) == hash);
-    std::vector<Scene> others(9, scene);
+    std::vector<Scene> others(10, scene);
     others[0].meshes[0].positions[0].x = 1e-20f;
     others[1].materials[0].roughness = 0.5f;
     others[2].instances[0].object_to_world[3].x = 1;
@@ -142,10 +150,24 @@ TEST_CASE("the scene hash follows what can change a pixel and nothing else") {
     others[6].point_lights.emplace_back();
     others[7].materials[0].two_sided = false;
     others[8].environment.map = Image(1, 1, 3);
+    others[9].whitted.epsilon = 0.5f;
     for (size_t i = 0; i < others.size(); ++i) {
         INFO("change " << i);
         CHECK(scene_hash(others[i]) != hash);
     }
+}
+
+TEST_CASE("a camera's screen can't be taken for the camera after it") {
+    // Of zeros alone, so that only the marks of what is there tell the two scenes apart.
+    Camera zeros;
+    zeros.camera_to_world = glm::mat4(0.0f);
+    zeros.vertical_fov = zeros.focus_distance = 0;
+    Camera with_screen = zeros;
+    with_screen.screen = ScreenWindow{.size = glm::vec2(0), .distance = 0, .first_pixel = {}};
+    Scene one = one_triangle(), other = one_triangle();
+    one.cameras = {with_screen, zeros};
+    other.cameras = {zeros, with_screen};
+    CHECK(scene_hash(one) != scene_hash(other));
 }
 
 TEST_CASE("the check refuses every broken rule of a scene") {

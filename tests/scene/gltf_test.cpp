@@ -183,6 +183,18 @@ TEST_CASE("alpha and unknown optional extensions are reported in notes") {
     CHECK(has_note(scene, "EXT_shiny"));
 }
 
+TEST_CASE("vertex attributes that are ignored are reported in notes") {
+    const auto with = [](const std::string& name) {
+        std::string gltf = quad_gltf();
+        gltf.replace(gltf.find("\"TEXCOORD_0\""), 12, "\"" + name + "\": 2, \"TEXCOORD_0\"");
+        return load_quad(gltf);
+    };
+    CHECK(has_note(with("TANGENT"), "Tangents are ignored"));
+    CHECK(has_note(with("TEXCOORD_1"), "second set"));
+    CHECK(has_note(with("COLOR_0"), "Vertex colours"));
+    CHECK_FALSE(has_note(with("NORMAL_2"), "ignored"));
+}
+
 TEST_CASE("a glTF camera keeps its field of view and loses its node's scale") {
     const Scene scene = load_quad(quad_gltf(
         R"([{"mesh": 0}, {"camera": 0, "translation": [1, 2, 3], "scale": [5, 5, 5]}])", "",

@@ -104,6 +104,17 @@ TEST_CASE("a missing MTL file is a note and its materials are grey") {
     CHECK_THAT(scene.notes[0], Catch::Contains("gone.mtl"));
 }
 
+TEST_CASE("a material that no MTL file has is a note, once, and grey") {
+    const Scene scene = load_obj_text("mtllib m.mtl\n" + TRIANGLE +
+                                          "f 1 2 3\nusemtl b\nf 1 2 3\nusemtl a\nf 1 2 3\n"
+                                          "usemtl b\nf 1 2 3\n",
+                                      "newmtl a\nKd 1 0 0\n");
+    REQUIRE(scene.notes.size() >= 1);
+    CHECK(scene.notes[0] == "Materials that no MTL file has are diffuse grey (b).");
+    CHECK(scene.materials[scene.meshes[0].materials[1]].base_color == glm::vec3(0.8f));
+    CHECK(scene.materials[scene.meshes[0].materials[2]].base_color == glm::vec3(1, 0, 0));
+}
+
 TEST_CASE("hostile OBJ files are refused with the file and the culprit") {
     struct Case {
         std::string obj, culprit;

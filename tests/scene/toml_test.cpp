@@ -1,6 +1,9 @@
 #include "scene/load.h"
 #include "scratch.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 using namespace onde;
@@ -184,6 +187,40 @@ TEST_CASE("an included scene brings its spheres, lights and cameras, moved and s
     CHECK(near(moved.point_lights.at(0).position, glm::vec3(0, 3, 1)));
     CHECK(moved.cameras.at(0).camera_to_world[3] == glm::vec4(0, 0, 13, 1));
     CHECK(moved.cameras[0].focus_distance == Approx(12.0f));
+}
+
+TEST_CASE("every word of an enum is a value of its key") {
+    for (const auto& [filter, word] : WORDS_OF<Filter>)
+        CHECK(load_toml_text(fmt::format("{}[render]\nfilter = \"{}\"\n", SPHERE, word))
+                  .settings.filter == filter);
+    for (const auto& [kind, word] : WORDS_OF<IntegratorKind>)
+        CHECK(load_toml_text(fmt::format("{}[render]\nintegrator = \"{}\"\n", SPHERE, word))
+                  .settings.integrator == kind);
+    for (const auto& [kind, word] : WORDS_OF<MaterialKind>)
+        CHECK(load_toml_text(
+                  fmt::format("{}[[material]]\nname = \"a\"\nkind = \"{}\"\n", SPHERE, word))
+                  .materials[0]
+                  .kind == kind);
+}
+
+TEST_CASE("[whitted] of an included scene is taken where the scene has none, else a note says so") {
+    ScratchFolder folder;
+    folder.write("inner.toml", SPHERE + "[whitted]\nambient = 0.25\nwavelengths = 5\n");
+    const std::string two = "include = [\"inner.toml\", \"inner.toml\"]\n";
+    const auto left_out = [](const Scene& scene) {
+        return std::ranges::count_if(scene.notes, [](const std::string& note) {
+            return note.find("[whitted] settings of an included scene") != std::string::npos;
+        });
+    };
+    const Scene bare = load_scene(folder.write("bare.toml", two));
+    CHECK(bare.whitted.ambient == glm::vec3(0.25f));
+    CHECK(bare.whitted.wavelengths == 5);
+    CHECK(left_out(bare) == 0);
+    const Scene own = load_scene(folder.write("own.toml", two + "[whitted]\nepsilon = 0.5\n"));
+    CHECK(own.whitted.epsilon == 0.5f);
+    CHECK_FALSE(own.whitted.ambient);
+    CHECK(own.whitted.wavelengths == 7);
+    CHECK(left_out(own) == 1);
 }
 
 TEST_CASE("shapes are placed with their radii; stretched spheres become ellipsoids") {

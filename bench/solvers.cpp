@@ -5,6 +5,7 @@
 
 #include "core/timer.h"
 #include "gpu/program.h"
+#include "shared/items.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,20 +81,18 @@ class Race {
     }
 
   private:
-    static constexpr size_t ITEMS = 16; // SOLVER_ITEMS of kernels/chapter/solvers.cl
-
     static gpu::ProgramRequest request(const Options& options) {
         gpu::ProgramRequest request{
             "chapter/solvers.cl", {fmt::format("ONDE_WIDTH={}", options.width)}, {}};
         for (const char* kernel : {"inverse", "gauss", "cramer", "production"})
-            request.kernels.push_back({kernel, 16, options.rays / ITEMS});
+            request.kernels.push_back({kernel, 16, options.rays / SOLVER_ITEMS});
         return request;
     }
 
     void trace(const Contender& contender) {
         gpu::Kernel& kernel = program_.kernel(contender.kernel);
         kernel.set_from(0, options_.rays, rays_, triangles_, options_.triangles, nearest_);
-        kernel.launch(options_.rays / ITEMS);
+        kernel.launch(options_.rays / SOLVER_ITEMS);
         device_.finish();
     }
 

@@ -1,8 +1,7 @@
 // Rays from inside a closed mesh at its shared edges and corners: how many get out. Aims are a
 // function of a ray's number alone.
+#include "shared/items.h"
 #include "trace/bvh.h"
-
-#define LEAK_RAYS 64 // of one work item
 
 INLINE uint scrambled(uint* state) {
     *state = *state * 747796405u + 2891336453u; // PCG: O'Neill 2014
@@ -31,14 +30,12 @@ INLINE float3 aim(__global const float* positions, __global const uint* triangle
 }
 
 // Origins lie in the box of half size `inside` about the origin.
-__kernel void count_leaks(uint count, __global const uchar* nodes, __global const uchar* blocks,
-                          __global const BvhSphere* spheres, __global const BvhInstance* instances,
-                          uint root, __global const float* positions,
+__kernel void count_leaks(uint count, BVH_SCALARS, __global const float* positions,
                           __global const uint* triangles, uint triangle_count, float inside_x,
                           float inside_y, float inside_z, uint first_item, __global uint* leaks) {
     const uint i = get_global_id(0);
     if (i >= count) return;
-    const BvhView bvh = {nodes, blocks, spheres, instances, root};
+    const BvhView bvh = BVH_FROM_SCALARS;
     uint state = (first_item + i) * 0x9e3779b9u + 12345u, sum = 0;
     for (uint k = 0; k < LEAK_RAYS; k++) {
         const float3 origin = in_cube(&state) * (float3)(inside_x, inside_y, inside_z);

@@ -2,9 +2,8 @@
 // times. Rays are six columns: origin, direction; `count` is a multiple of 16, which a work item
 // takes. Triangles are 9 floats: A, AB, AC. Out: the nearest distance beyond 0, or infinity.
 #include "chapter/solve_triangle.h"
+#include "shared/items.h"
 #include "trace/triangle.h"
-
-#define SOLVER_ITEMS 16
 
 INLINE real3 load_column3(__global const float* columns, size_t count, uint i) {
     return make3(load_real(columns + i), load_real(columns + count + i),

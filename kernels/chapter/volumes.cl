@@ -2,8 +2,7 @@
 // six columns: origin, direction; a work item takes VOLUME_ITEMS of them, and `count` is a multiple
 // of that. For each ray, how many of the volumes it meets.
 #include "chapter/volumes.h"
-
-#define VOLUME_ITEMS 16
+#include "shared/items.h"
 
 #define VOLUME_KERNEL(name, Type, is_met)                                                          \
     __kernel void name(uint count, __global const float* rays, __global const Type* volumes,       \

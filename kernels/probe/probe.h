@@ -5,8 +5,7 @@
 #define ONDE_PROBE_PROBE_H
 
 #include "math/vector.h"
-
-#define PROBE_ITEMS 16 // of one work item, whatever the width
+#include "shared/items.h"
 
 typedef struct {
     __global const float* in;

@@ -4,9 +4,7 @@
 #define ONDE_SHADE_MICROFACET_H
 
 #include "math/sampling.h"
-
-// Below this alpha a surface is treated as perfectly smooth.
-#define SMOOTH_ALPHA 1e-3f
+#include "shared/scene.h"
 
 // Walter et al. 2007, eq. 33.
 INLINE real ggx_distribution(real3 h, real alpha) {

@@ -17,44 +17,25 @@
     #define ONDE_ENVIRONMENT 1
 #endif
 
+#define VIEW_MEMBER(Type, name, words) __global const Type* name;
 typedef struct {
     __global const FrameRecord* frame;
     BvhView bvh;
-    __global const SurfaceRecord* surfaces;
-    __global const MaterialRecord* materials;
-    __global const LightRecord* lights;
-    __global const TextureRecord* textures;
-    __global const uint* texels;
-    __global const float* srgb;        // 256 entries: 8-bit sRGB to linear
-    __global const float* environment; // 3 floats per pixel
-    __global const AliasRecord* environment_alias;
+    SCENE_BUFFERS(VIEW_MEMBER)
 } SceneView;
 
 // The same as kernel parameters, in the order in which the host binds them.
+#define BVH_PARAMETER(Type, name, words) __global const Type *bvh_##name,
+#define SCENE_PARAMETER(Type, name, words) , __global const Type* name
 #define SCENE_PARAMETERS                                                                           \
-    __global const FrameRecord *frame, __global const uchar *bvh_nodes,                            \
-        __global const uchar *bvh_blocks, __global const BvhSphere *bvh_spheres,                   \
-        __global const BvhInstance *bvh_instances, uint bvh_root,                                  \
-        __global const SurfaceRecord *surfaces, __global const MaterialRecord *materials,          \
-        __global const LightRecord *lights, __global const TextureRecord *textures,                \
-        __global const uint *texels, __global const float *srgb,                                   \
-        __global const float *environment, __global const AliasRecord *environment_alias
+    __global const FrameRecord *frame,                                                             \
+        BVH_BUFFERS(BVH_PARAMETER) uint bvh_root SCENE_BUFFERS(SCENE_PARAMETER)
 
+// Declares the view and fills it from those parameters.
+#define BVH_ARGUMENT(Type, name, words) bvh_##name,
+#define SCENE_ARGUMENT(Type, name, words) , name
 #define SCENE_VIEW(view)                                                                           \
-    SceneView view;                                                                                \
-    view.frame = frame;                                                                            \
-    view.bvh.nodes = bvh_nodes;                                                                    \
-    view.bvh.blocks = bvh_blocks;                                                                  \
-    view.bvh.spheres = bvh_spheres;                                                                \
-    view.bvh.instances = bvh_instances;                                                            \
-    view.bvh.root = bvh_root;                                                                      \
-    view.surfaces = surfaces;                                                                      \
-    view.materials = materials;                                                                    \
-    view.lights = lights;                                                                          \
-    view.textures = textures;                                                                      \
-    view.texels = texels;                                                                          \
-    view.srgb = srgb;                                                                              \
-    view.environment = environment;                                                                \
-    view.environment_alias = environment_alias
+    const SceneView view = {frame,                                                                 \
+                            {BVH_BUFFERS(BVH_ARGUMENT) bvh_root} SCENE_BUFFERS(SCENE_ARGUMENT)}
 
 #endif

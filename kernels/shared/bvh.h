@@ -113,4 +113,13 @@ typedef struct {
     uint unused[7];
 } BvhInstance;
 
+// The buffers of a tree, each once: BUFFER(Type, name, "name for people"). From this list come the
+// parameters and the view of the kernels, and on the host arrays, buffers, binding and memory plan.
+// Of nodes and of leaves (`blocks`) there is one kind, which the layout names.
+#define BVH_BUFFERS(BUFFER)                                                                        \
+    BUFFER(uchar, nodes, "BVH nodes")                                                              \
+    BUFFER(uchar, blocks, "BVH triangles")                                                         \
+    BUFFER(BvhSphere, spheres, "BVH spheres and shapes")                                           \
+    BUFFER(BvhInstance, instances, "BVH instances")
+
 #endif

@@ -6,6 +6,7 @@
 #include "shared/types.h"
 
 #define RASTER_NONE 0xffffffffu
+#define RASTER_TILE 64 // pixels along the side of a tile of the painter
 
 // 64 bytes. Primitives are numbered through the instances' triangles in order, then the spheres'
 // halves: near before far.

@@ -12,6 +12,9 @@
 #define MATERIAL_DIELECTRIC 2u
 #define MATERIAL_METALLIC_ROUGHNESS 3u
 
+// Below this alpha (roughness^2) a surface is treated as perfectly smooth.
+#define SMOOTH_ALPHA 1e-3f
+
 // 64 bytes. See onde::Material for meanings; textures are NO_INDEX where there is none.
 typedef struct {
     float base_color[3];
@@ -91,5 +94,17 @@ typedef struct {
     float pmf;
     uint unused;
 } AliasRecord;
+
+// The buffers of a scene beside its tree's, each once, as BVH_BUFFERS in shared/bvh.h.
+// srgb: 256 entries, from 8-bit sRGB to linear. environment: 3 floats per pixel.
+#define SCENE_BUFFERS(BUFFER)                                                                      \
+    BUFFER(SurfaceRecord, surfaces, "surfaces")                                                    \
+    BUFFER(MaterialRecord, materials, "materials")                                                 \
+    BUFFER(LightRecord, lights, "lights")                                                          \
+    BUFFER(TextureRecord, textures, "texture records")                                             \
+    BUFFER(uint, texels, "texels")                                                                 \
+    BUFFER(float, srgb, "sRGB table")                                                              \
+    BUFFER(float, environment, "environment pixels")                                               \
+    BUFFER(AliasRecord, environment_alias, "environment sampling")
 
 #endif

@@ -26,11 +26,9 @@
     #define ONDE_SHAPES ONDE_INSTANCES
 #endif
 
+#define BVH_MEMBER(Type, name, words) __global const Type* name;
 typedef struct {
-    __global const uchar* nodes;
-    __global const uchar* blocks;
-    __global const BvhSphere* spheres;
-    __global const BvhInstance* instances;
+    BVH_BUFFERS(BVH_MEMBER)
     uint root; // child word
 } BvhView;
 
@@ -51,14 +49,14 @@ INLINE float entry_distance(ulong entry) {
 // Waits below everything an instance's tree pushes; no tree has this child word.
 #define STACK_LEAVE_INSTANCE ((ulong)BVH_NONE)
 
-// The view as single arguments of a function that is not inlined: a struct would go through memory,
-// which a short walk feels.
-#define BVH_SCALARS                                                                                \
-    __global const uchar *nodes, __global const uchar *blocks, __global const BvhSphere *spheres,  \
-        __global const BvhInstance *instances, uint root
+// The view as single parameters: of kernels, and of functions that are not inlined, where a struct
+// would go through memory, which a short walk feels.
+#define BVH_SCALAR(Type, name, words) __global const Type *name,
+#define BVH_SCALARS BVH_BUFFERS(BVH_SCALAR) uint root
 #define BVH_TO_SCALARS(bvh) bvh.nodes, bvh.blocks, bvh.spheres, bvh.instances, bvh.root
+#define BVH_NAME(Type, name, words) name,
 #define BVH_FROM_SCALARS                                                                           \
-    { nodes, blocks, spheres, instances, root }
+    { BVH_BUFFERS(BVH_NAME) root }
 
 // A ray in the space of the tree that it walks.
 typedef struct {

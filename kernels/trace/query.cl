@@ -8,12 +8,6 @@
     #include "trace/bvh_stream_occluded.h"
 #endif
 
-#define BVH_PARAMETERS                                                                             \
-    __global const uchar *nodes, __global const uchar *blocks, __global const BvhSphere *spheres,  \
-        __global const BvhInstance *instances, uint root
-#define BVH_VIEW                                                                                   \
-    { nodes, blocks, spheres, instances, root }
-
 INLINE void store_hit(__global float* hits, uint i, Hit hit) {
     hits[5 * i] = hit.t;
     hits[5 * i + 1] = hit.u;
@@ -22,20 +16,19 @@ INLINE void store_hit(__global float* hits, uint i, Hit hit) {
     hits[5 * i + 4] = as_float(hit.instance);
 }
 
-__kernel void closest(uint count, BVH_PARAMETERS, __global const float8* rays,
-                      __global float* hits) {
+__kernel void closest(uint count, BVH_SCALARS, __global const float8* rays, __global float* hits) {
     const uint i = get_global_id(0);
     if (i >= count) return;
-    const BvhView bvh = BVH_VIEW;
+    const BvhView bvh = BVH_FROM_SCALARS;
     const float8 ray = rays[i];
     store_hit(hits, i, bvh_closest(bvh, ray.s012, ray.s3, ray.s456, ray.s7));
 }
 
-__kernel void occluded(uint count, BVH_PARAMETERS, __global const float8* rays,
+__kernel void occluded(uint count, BVH_SCALARS, __global const float8* rays,
                        __global uint* blocked) {
     const uint i = get_global_id(0);
     if (i >= count) return;
-    const BvhView bvh = BVH_VIEW;
+    const BvhView bvh = BVH_FROM_SCALARS;
     const float8 ray = rays[i];
     blocked[i] = bvh_occluded(bvh, ray.s012, ray.s3, ray.s456, ray.s7);
 }
@@ -56,11 +49,11 @@ INLINE void load_stream(__global const float* rays, uint first, uint count, uint
 }
 
 // Work item i takes rays 32 i to 32 i + 31, where the set has as many.
-__kernel void occluded_stream(uint count, BVH_PARAMETERS, __global const float* rays,
+__kernel void occluded_stream(uint count, BVH_SCALARS, __global const float* rays,
                               __global uint* blocked) {
     const uint first = OCCLUDED_WIDTH * get_global_id(0);
     if (first >= count) return;
-    const BvhView bvh = BVH_VIEW;
+    const BvhView bvh = BVH_FROM_SCALARS;
     StreamRays stream;
     float t_min[OCCLUDED_WIDTH], t_max[OCCLUDED_WIDTH];
     load_stream(rays, first, count, OCCLUDED_WIDTH, &stream, t_min, t_max);
@@ -73,11 +66,11 @@ __kernel void occluded_stream(uint count, BVH_PARAMETERS, __global const float* 
     // The kernels below: work item i takes rays 16 i to 16 i + 15, where the set has as many, by
     // one of the walks.
     #define CLOSEST_OF_SIXTEEN(name, walk)                                                         \
-        __kernel void name(uint count, BVH_PARAMETERS, __global const float* rays,                 \
+        __kernel void name(uint count, BVH_SCALARS, __global const float* rays,                    \
                            __global float* hits) {                                                 \
             const uint first = STREAM_WIDTH * get_global_id(0);                                    \
             if (first >= count) return;                                                            \
-            const BvhView bvh = BVH_VIEW;                                                          \
+            const BvhView bvh = BVH_FROM_SCALARS;                                                  \
             StreamRays stream;                                                                     \
             StreamHits found;                                                                      \
             float t_min[STREAM_WIDTH], t_max[STREAM_WIDTH];                                        \

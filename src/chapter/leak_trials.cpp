@@ -1,6 +1,7 @@
 #include "chapter/leak_trials.h"
 
 #include "core/timer.h"
+#include "shared/items.h"
 #include "upload/device_bvh.h"
 
 #include <cmath>
@@ -10,8 +11,6 @@
 namespace onde {
 
 namespace {
-
-constexpr uint64_t RAYS_OF_ITEM = 64; // LEAK_RAYS of kernels/bench/leaks.cl
 
 /// Splits every triangle in four; midpoints of shared edges are shared.
 void subdivide(TriangleSoup& soup) {
@@ -61,7 +60,7 @@ LeakTrials count_leaks(gpu::Programs& programs, uint32_t subdivisions, glm::vec3
     const Geometry geometry{ball.positions, ball.triangles, {}, 0};
     const Placement placement;
     const Bvh bvh = build_bvh({&geometry, 1}, {&placement, 1}, {.watertight = watertight});
-    const uint64_t items = (rays + RAYS_OF_ITEM - 1) / RAYS_OF_ITEM;
+    const uint64_t items = (rays + LEAK_RAYS - 1) / LEAK_RAYS;
     gpu::Program program = programs.build(request(bvh, std::min(items, MOST_ITEMS)));
 
     const DeviceBvh tree(device, bvh);
@@ -80,7 +79,7 @@ LeakTrials count_leaks(gpu::Programs& programs, uint32_t subdivisions, glm::vec3
         kernel.launch(count);
         const std::vector<uint32_t> counts = leaks.read(device, 0, count);
         trials.leaks += std::accumulate(counts.begin(), counts.end(), uint64_t(0));
-        trials.rays += count * RAYS_OF_ITEM;
+        trials.rays += count * LEAK_RAYS;
     }
     trials.seconds = timer.seconds();
     return trials;

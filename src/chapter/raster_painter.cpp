@@ -12,7 +12,7 @@ constexpr uint32_t MOST_SAMPLES = 16; // of one pass
 
 /// Of a tile, for one work item: CPUs take it whole and set up each triangle once.
 uint32_t rows_per_item(const gpu::DeviceFacts& facts) {
-    return facts.is_cpu ? RasterTiles::TILE : 1;
+    return facts.is_cpu ? uint32_t(RASTER_TILE) : 1;
 }
 
 size_t shares(size_t count, uint32_t chunk) {
@@ -96,7 +96,7 @@ class TilePainter : public Painter {
     uint32_t pixels() const { return options_.width * options_.height; }
     uint32_t chunk() const { return options_.settings.chunk; }
     uint32_t rows() const { return rows_per_item(context_.device().facts()); }
-    uint32_t paint_items() const { return tiles_.count() * (RasterTiles::TILE / rows()); }
+    uint32_t paint_items() const { return tiles_.count() * (uint32_t(RASTER_TILE) / rows()); }
 
     /// The order does not depend on the sample.
     void sort() {

@@ -10,7 +10,7 @@ constexpr uint32_t MOST_BLOCKS = 1024;
 constexpr uint64_t MOST_PRIMITIVES = 1u << 20;
 
 uint32_t tiles_along(uint32_t pixels) {
-    return (pixels + RasterTiles::TILE - 1) / RasterTiles::TILE;
+    return (pixels + RASTER_TILE - 1) / RASTER_TILE;
 }
 
 } // namespace

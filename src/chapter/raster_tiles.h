@@ -19,9 +19,6 @@ struct TileBuffers {
 
 class RasterTiles {
   public:
-    static constexpr uint32_t TILE =
-        64; ///< pixels along a side, as in kernels/chapter/raster/painter.cl
-
     /// The device outlives it.
     RasterTiles(const gpu::Device& device, TileBuffers buffers)
         : device_(device), buffers_(std::move(buffers)) {}

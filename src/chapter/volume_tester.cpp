@@ -1,12 +1,13 @@
 #include "chapter/volume_tester.h"
 
 #include "core/timer.h"
+#include "shared/items.h"
 
 namespace onde {
 
 namespace {
 
-constexpr size_t ITEMS = 16, LOCAL_SIZE = 16; // VOLUME_ITEMS of kernels/chapter/volumes.cl
+constexpr size_t LOCAL_SIZE = 16;
 
 constexpr std::array KERNELS{"test_box", "test_oriented_box", "test_few_slabs", "test_many_slabs",
                              "test_sphere"};
@@ -24,7 +25,7 @@ gpu::Buffer<T> copies_of(const gpu::Device& device, const T& value) {
 }
 
 std::vector<float> columns_of(std::span<const VolumeRay> rays) {
-    const size_t padded = (rays.size() + ITEMS - 1) / ITEMS * ITEMS;
+    const size_t padded = (rays.size() + VOLUME_ITEMS - 1) / VOLUME_ITEMS * VOLUME_ITEMS;
     std::vector<float> columns(6 * padded);
     for (size_t i = 0; i < padded; ++i) {
         const VolumeRay& ray = rays[std::min(i, rays.size() - 1)];
@@ -87,7 +88,7 @@ void VolumeTester::launch(VolumeKind kind, const VolumeRays& rays, uint32_t copi
     else
         kernel.set(2, slabs_);
     kernel.set_from(3, copies, met);
-    kernel.launch(rays.padded() / ITEMS);
+    kernel.launch(rays.padded() / VOLUME_ITEMS);
     device_.finish();
 }
 

@@ -75,10 +75,10 @@ FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
     frame.roulette_start = options.roulette_start;
     frame.light_count = uint32_t(scene.lights.size());
     frame.environment_light = scene.environment_light;
-    frame.environment_width = scene.environment_map.width;
-    frame.environment_height = scene.environment_map.height;
-    copy(frame.environment_radiance, scene.environment.radiance);
-    frame.environment_rotation = scene.environment.rotation * float(0.5 / std::numbers::pi);
+    frame.environment_width = scene.environment_width;
+    frame.environment_height = scene.environment_height;
+    copy(frame.environment_radiance, scene.environment_radiance);
+    frame.environment_rotation = scene.environment_rotation * float(0.5 / std::numbers::pi);
     std::ranges::copy(filter_table(options.filter), frame.filter_table);
     return frame;
 }

@@ -10,8 +10,6 @@
 namespace onde {
 namespace {
 
-constexpr float SMOOTH_ALPHA = 1e-3f; // as in kernels/shade/microfacet.h
-
 /// Groups at the end may be read whole, and lanes a power of two apart would share cache sets.
 constexpr uint32_t LANE_PADDING = 272;
 

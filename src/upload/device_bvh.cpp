@@ -1,42 +1,23 @@
 #include "upload/device_bvh.h"
 
+#include "upload/bvh_arrays.h"
+
 namespace onde {
-namespace {
 
-using Bytes = gpu::Buffer<uint8_t>;
-
-template <class T>
-Bytes in_place(const gpu::Device& device, const AlignedVector<T>& values) {
-    const auto* bytes = reinterpret_cast<const uint8_t*>(values.data());
-    return Bytes::in_place(device, {bytes, sizeof(T) * values.size()});
+DeviceBvh::DeviceBvh(const gpu::Device& device, const Bvh& bvh) : root_(bvh.root) {
+    const BvhArrays arrays = bvh_arrays(bvh);
+#define ONDE_PLACE(Type, name, words) name##_ = gpu::Buffer<Type>::in_place(device, arrays.name);
+    BVH_BUFFERS(ONDE_PLACE)
+#undef ONDE_PLACE
 }
-
-Bytes nodes_in_place(const gpu::Device& device, const Bvh& bvh) {
-    switch (bvh.layout) {
-    case BvhLayout::compressed:
-        return in_place(device, bvh.compressed);
-    case BvhLayout::binary:
-        return in_place(device, bvh.pairs);
-    case BvhLayout::wide:
-        break;
-    }
-    return in_place(device, bvh.nodes);
-}
-
-Bytes leaves_in_place(const gpu::Device& device, const Bvh& bvh) {
-    return bvh.layout == BvhLayout::wide ? in_place(device, bvh.blocks)
-                                         : in_place(device, bvh.slots);
-}
-
-} // namespace
-
-DeviceBvh::DeviceBvh(const gpu::Device& device, const Bvh& bvh)
-    : nodes_(nodes_in_place(device, bvh)), leaves_(leaves_in_place(device, bvh)),
-      spheres_(gpu::Buffer<BvhSphere>::in_place(device, bvh.spheres)),
-      instances_(gpu::Buffer<BvhInstance>::in_place(device, bvh.instances)), root_(bvh.root) {}
 
 uint32_t DeviceBvh::bind(gpu::Kernel& kernel, uint32_t first) const {
-    return kernel.set_from(first, nodes_, leaves_, spheres_, instances_, root_);
+    uint32_t next = first;
+#define ONDE_BIND(Type, name, words) kernel.set(next++, name##_);
+    BVH_BUFFERS(ONDE_BIND)
+#undef ONDE_BIND
+    kernel.set(next++, root_);
+    return next;
 }
 
 } // namespace onde

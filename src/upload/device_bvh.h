@@ -17,12 +17,12 @@ class DeviceBvh {
     uint32_t bind(gpu::Kernel& kernel, uint32_t first) const;
 
     /// What a walk may read of nodes and leaves.
-    uint64_t bytes() const { return nodes_.size() + leaves_.size(); }
+    uint64_t bytes() const { return nodes_.size() + blocks_.size(); }
 
   private:
-    gpu::Buffer<uint8_t> nodes_, leaves_;
-    gpu::Buffer<BvhSphere> spheres_;
-    gpu::Buffer<BvhInstance> instances_;
+#define ONDE_BUFFER(Type, name, words) gpu::Buffer<Type> name##_;
+    BVH_BUFFERS(ONDE_BUFFER)
+#undef ONDE_BUFFER
     uint32_t root_;
 };
 

@@ -23,14 +23,9 @@ class DeviceScene {
   private:
     PackedScene packed_;
     DeviceBvh tree_;
-    gpu::Buffer<SurfaceRecord> surfaces_;
-    gpu::Buffer<MaterialRecord> materials_;
-    gpu::Buffer<LightRecord> lights_;
-    gpu::Buffer<TextureRecord> textures_;
-    gpu::Buffer<uint32_t> texels_;
-    gpu::Buffer<float> srgb_;
-    gpu::Buffer<float> environment_;
-    gpu::Buffer<AliasRecord> environment_alias_;
+#define ONDE_BUFFER(Type, name, words) gpu::Buffer<Type> name##_;
+    SCENE_BUFFERS(ONDE_BUFFER)
+#undef ONDE_BUFFER
 };
 
 } // namespace onde

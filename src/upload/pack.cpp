@@ -1,6 +1,7 @@
 #include "upload/pack.h"
 
 #include "scene/phong.h"
+#include "upload/bvh_arrays.h"
 #include "upload/geometry.h"
 
 #include <fmt/format.h>
@@ -42,20 +43,15 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
 }
 
 std::vector<gpu::BufferSize> PackedScene::device_buffers() const {
-    const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
-    // Of nodes, and of leaves, only one kind is there.
-    return {{"BVH nodes", bytes(bvh.nodes) + bytes(bvh.compressed) + bytes(bvh.pairs)},
-            {"BVH triangles", bytes(bvh.blocks) + bytes(bvh.slots)},
-            {"BVH spheres and shapes", bytes(bvh.spheres)},
-            {"BVH instances", bytes(bvh.instances)},
-            {"surfaces", bytes(surfaces)},
-            {"materials", bytes(materials)},
-            {"lights", bytes(lights)},
-            {"texture records", bytes(textures.records)},
-            {"texels", bytes(textures.texels)},
-            {"sRGB table", bytes(srgb)},
-            {"environment pixels", bytes(environment_map.pixels)},
-            {"environment sampling", bytes(environment_map.alias)}};
+    const BvhArrays arrays = bvh_arrays(bvh);
+    std::vector<gpu::BufferSize> sizes;
+#define ONDE_SIZE(Type, name, words) sizes.push_back({words, arrays.name.size_bytes()});
+    BVH_BUFFERS(ONDE_SIZE)
+#undef ONDE_SIZE
+#define ONDE_SIZE(Type, name, words) sizes.push_back({words, name.size() * sizeof(Type)});
+    SCENE_BUFFERS(ONDE_SIZE)
+#undef ONDE_SIZE
+    return sizes;
 }
 
 PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
@@ -68,11 +64,17 @@ PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
     packed.environment_light = lights.environment;
     packed.surfaces = std::move(flat.surfaces);
     packed.materials = pack_materials(scene);
-    packed.textures = pack_textures(scene);
+    PackedTextures textures = pack_textures(scene);
+    packed.textures = std::move(textures.records);
+    packed.texels = std::move(textures.texels);
     packed.srgb = srgb_table();
-    packed.environment.radiance = scene.environment.radiance;
-    packed.environment.rotation = scene.environment.rotation;
-    packed.environment_map = pack_environment(scene.environment);
+    PackedEnvironment environment = pack_environment(scene.environment);
+    packed.environment = std::move(environment.pixels);
+    packed.environment_alias = std::move(environment.alias);
+    packed.environment_width = environment.width;
+    packed.environment_height = environment.height;
+    packed.environment_radiance = scene.environment.radiance;
+    packed.environment_rotation = scene.environment.rotation;
     packed.features = find_features(scene, packed);
     return packed;
 }

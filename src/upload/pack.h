@@ -25,16 +25,19 @@ struct SceneFeatures {
     std::vector<std::string> defines() const;
 };
 
-struct PackedScene {
+/// The arrays of SCENE_BUFFERS in shared/scene.h.
+struct SceneArrays {
+#define ONDE_ARRAY(Type, name, words) std::vector<Type> name;
+    SCENE_BUFFERS(ONDE_ARRAY)
+#undef ONDE_ARRAY
+};
+
+struct PackedScene : SceneArrays {
     Bvh bvh;
-    std::vector<SurfaceRecord> surfaces;
-    std::vector<MaterialRecord> materials;
-    std::vector<LightRecord> lights;
-    uint32_t environment_light = NO_INDEX;
-    PackedTextures textures;
-    std::vector<float> srgb;
-    Environment environment; ///< without its map: scale and rotation
-    PackedEnvironment environment_map;
+    uint32_t environment_light = NO_INDEX; ///< index into the lights
+    glm::vec3 environment_radiance{0.0f};  ///< scale of the map, where there is one
+    float environment_rotation = 0.0f;     ///< radians
+    uint32_t environment_width = 0, environment_height = 0; ///< 0 when it is constant
     SceneFeatures features;
 
     /// The buffers that the scene takes on the device.

@@ -1,6 +1,7 @@
 // Kernel functions called from tests: kernels/probe maps them over arrays on the device.
 #pragma once
 
+#include "shared/items.h"
 #include "support/programs.h"
 
 #include <bit>
@@ -35,7 +36,8 @@ class Probe {
     /// next.
     template <class Bind>
     Columns run(const std::string& name, const Columns& in, size_t words, const Bind& bind) {
-        const size_t items = in[0].size(), padded = (items + ITEMS - 1) / ITEMS * ITEMS;
+        const size_t items = in[0].size(),
+                     padded = (items + PROBE_ITEMS - 1) / PROBE_ITEMS * PROBE_ITEMS;
         std::vector<float> flat;
         flat.reserve(in.size() * padded);
         for (const std::vector<float>& column : in) {
@@ -48,7 +50,7 @@ class Probe {
         gpu::Kernel& kernel = program_.kernel("probe_" + name);
         kernel.set(0, uint32_t(padded));
         kernel.set_from(bind(kernel, 1u), input, output);
-        kernel.launch(padded / ITEMS);
+        kernel.launch(padded / PROBE_ITEMS);
         const std::vector<float> all = output.read(device());
         Columns out;
         for (size_t k = 0; k < words; k++) {
@@ -62,8 +64,6 @@ class Probe {
     }
 
   private:
-    static constexpr size_t ITEMS = 16; // PROBE_ITEMS of kernels/probe/probe.h
-
     static gpu::ProgramRequest request(const std::string& file, uint32_t width,
                                        const std::vector<std::string>& names,
                                        std::vector<std::string> defines) {

@@ -7,8 +7,6 @@
 #include "film/job.h"
 #include "film/splat.h"
 
-#define TILE 64 // pixels along a side
-
 // Depth of the centre of mass; that of half a sphere's surface lies half a radius off.
 INLINE float center_depth(RasterView view, uint number) {
     if (number >= view.record->triangle_count) {
@@ -33,8 +31,10 @@ __kernel void depth_keys(uint count, uint chunk, RASTER_PARAMETERS, __global uin
 // Columns begin, end and rows begin, end of the tiles that a primitive's box touches.
 INLINE ushort4 touched_tiles(const Primitive* p) {
     if (box_size(p) == 0) return (ushort4)(0);
-    return (ushort4)((ushort)(p->columns.begin / TILE), (ushort)((p->columns.end - 1) / TILE + 1),
-                     (ushort)(p->rows.begin / TILE), (ushort)((p->rows.end - 1) / TILE + 1));
+    return (ushort4)((ushort)(p->columns.begin / RASTER_TILE),
+                     (ushort)((p->columns.end - 1) / RASTER_TILE + 1),
+                     (ushort)(p->rows.begin / RASTER_TILE),
+                     (ushort)((p->rows.end - 1) / RASTER_TILE + 1));
 }
 
 // By primitive, so that the two kernels below, which go by the order, read 8 bytes each.
@@ -112,10 +112,10 @@ __kernel void paint_tiles(uint count, SCENE_PARAMETERS, uint rows, RASTER_PARAME
     if (item >= count) return;
     SCENE_VIEW(scene);
     RASTER_VIEW(view);
-    const uint parts = TILE / rows, tile = item / parts;
-    const int left = (int)(tile % tiles_across * TILE);
-    const int top = (int)(tile / tiles_across * TILE + item % parts * rows);
-    const Span own_columns = make_span(left, left + TILE),
+    const uint parts = RASTER_TILE / rows, tile = item / parts;
+    const int left = (int)(tile % tiles_across * RASTER_TILE);
+    const int top = (int)(tile / tiles_across * RASTER_TILE + item % parts * rows);
+    const Span own_columns = make_span(left, left + RASTER_TILE),
                own_rows = make_span(top, top + (int)rows);
     for (uint i = begins[tile]; i < begins[tile + 1]; i++) {
         const Primitive p = load_primitive(view, lists[i]);

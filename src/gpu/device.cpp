@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "gpu/cl_error.h"
+#include "gpu/pocl_environment.h"
 
 #include <algorithm>
 #include <cctype>
@@ -73,23 +74,30 @@ void learn_device(const cl::Device& device, DeviceFacts& facts) {
     facts.problem = shortcoming(device);
 }
 
+bool is_pocl(const PlatformReport& platform) {
+    return platform.name.find("Portable Computing Language") != std::string::npos;
+}
+
 DeviceFacts device_facts(const cl::Device& device, const PlatformReport& platform) {
     DeviceFacts facts;
     facts.platform = platform.name;
     facts.platform_version = platform.version;
-    facts.is_pocl = platform.name.find("Portable Computing Language") != std::string::npos;
+    facts.is_pocl = is_pocl(platform);
     facts.is_intel = platform.name.find("Intel(R) OpenCL") != std::string::npos;
     ask(facts.problem, [&] { learn_device(device, facts); });
     if (facts.name.empty()) facts.name = "unnamed device";
     return facts;
 }
 
-Platform open_platform(const cl::Platform& platform) {
+/// `pocl_problem`: why PoCL, if that is the platform, would end the program when it is used.
+Platform open_platform(const cl::Platform& platform, const std::string& pocl_problem) {
     Platform opened;
     PlatformReport& report = opened.report;
     ask(report.problem, [&] { report.name = platform.getInfo<CL_PLATFORM_NAME>(); });
     ask(report.problem, [&] { report.version = platform.getInfo<CL_PLATFORM_VERSION>(); });
-    ask(report.problem, [&] { platform.getDevices(CL_DEVICE_TYPE_ALL, &opened.devices); });
+    if (is_pocl(report) && report.problem.empty()) report.problem = pocl_problem;
+    if (report.problem.empty())
+        ask(report.problem, [&] { platform.getDevices(CL_DEVICE_TYPE_ALL, &opened.devices); });
     for (const cl::Device& device : opened.devices)
         report.devices.push_back(device_facts(device, report));
     if (report.name.empty()) report.name = "unnamed platform";
@@ -97,15 +105,8 @@ Platform open_platform(const cl::Platform& platform) {
     return opened;
 }
 
-/// PoCL compiles a kernel for the group size of its launch, and all kernels again, for groups of
-/// any size, when asked for the program's binary. The latter run as fast here and are enough.
-void have_pocl_compile_once() {
-    constexpr int KEEP_THE_USERS = 0;
-    setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", KEEP_THE_USERS);
-}
-
 std::vector<Platform> open_platforms() {
-    have_pocl_compile_once();
+    const std::string pocl_problem = prepare_pocl();
     std::vector<cl::Platform> platforms;
     try {
         cl::Platform::get(&platforms);
@@ -115,7 +116,8 @@ std::vector<Platform> open_platforms() {
         return {{{.name = "OpenCL loader", .version{}, .devices{}, .problem = reason(error)}, {}}};
     }
     std::vector<Platform> opened;
-    for (const cl::Platform& platform : platforms) opened.push_back(open_platform(platform));
+    for (const cl::Platform& platform : platforms)
+        opened.push_back(open_platform(platform, pocl_problem));
     return opened;
 }
 

@@ -59,7 +59,7 @@ Frame OndeEngine::render() {
 }
 
 Image OndeEngine::picture() const {
-    return integrator_->film().develop(programs_.device());
+    return integrator_->film().develop();
 }
 
 NativeTracer::NativeTracer(const Scene& scene, const FrameOptions& frame, uint32_t threads)

@@ -104,8 +104,8 @@ void run(const Options& bench) {
 
     std::vector<double> first; // sorts, and warms up
     for (Contender& contender : contenders) first.push_back(draw(contender, device, 0));
-    const bool same = contenders[0].integrator->film().develop(device).pixels ==
-                      contenders[1].integrator->film().develop(device).pixels;
+    const bool same = contenders[0].integrator->film().develop().pixels ==
+                      contenders[1].integrator->film().develop().pixels;
     fmt::print("64-bit and 32-bit atomics: {}\n", same ? "the same bits" : "DIFFERENT PICTURES");
     for (uint32_t i = 1; i <= bench.repetitions; ++i)
         for (Contender& contender : contenders)

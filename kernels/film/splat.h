@@ -29,10 +29,10 @@ INLINE bool splat_fits(float scaled) {
     return scaled >= 0.0f && scaled < 1073741824.0f * WORD_RANGE; // 2^62
 }
 
-INLINE uint channel_add(__global uint* words, float scaled) {
+INLINE void channel_add(__global uint* words, float scaled) {
     const float whole = rint(scaled);
     const uint high = (uint)(whole / WORD_RANGE);
-    return sum_add(words, (uint)(whole - (float)high * WORD_RANGE), high);
+    if (sum_add(words, (uint)(whole - (float)high * WORD_RANGE), high)) atomic_inc(&words[2]);
 }
 
 // Adds one splat; returns whether it could be added.
@@ -40,9 +40,9 @@ INLINE bool splat_add(SplatView splats, uint pixel, float3 value) {
     const float3 scaled = value * splats.scale;
     if (!splat_fits(scaled.x) || !splat_fits(scaled.y) || !splat_fits(scaled.z)) return false;
     __global uint* words = splats.sums + (size_t)pixel * SPLAT_WORDS;
-    const uint over = channel_add(words, scaled.x) + channel_add(words + 2, scaled.y) +
-                      channel_add(words + 4, scaled.z);
-    if (over) sum_add(&splats.statistics[2 * LIGHT_OVERFLOW], over, 0);
+    channel_add(words, scaled.x);
+    channel_add(words + 3, scaled.y);
+    channel_add(words + 6, scaled.z);
     return true;
 }
 

@@ -1,19 +1,19 @@
-// What light tracing keeps beside the film: sums of splats and statistics, all as 64-bit integers
-// of two words, low first, so that adding them in any order gives the same bits.
+// What light tracing keeps beside the film: sums of splats as 96-bit integers of three words, and
+// statistics as 64-bit integers of two words, low first. Adding integers in any order gives the
+// same bits.
 #ifndef ONDE_SHARED_LIGHT_TRACING_H
 #define ONDE_SHARED_LIGHT_TRACING_H
 
 #include "shared/types.h"
 
-#define SPLAT_WORDS 6 // of a pixel: red, green, blue
+#define SPLAT_WORDS 9 // of a pixel: red, green, blue
 
 #define LIGHT_LANES 14 // words of a light path in flight (see wavefront/light_state.h)
 
 // Places in the statistics, in sums.
 #define LIGHT_CONTRIBUTED 0u // emitted rays that met a surface which then added to some pixel
 #define LIGHT_UNBLOCKED 1u   // connections with nothing in between
-#define LIGHT_OVERFLOW 2u    // sums of splats that ran over 64 bits
-#define LIGHT_STATISTICS 3u
+#define LIGHT_STATISTICS 2u
 
 // 32 bytes: what is the same for every emitted ray of a frame.
 typedef struct {

@@ -82,7 +82,7 @@ bool paint(GalleryWork& work, const GalleryStudio& studio, const fs::path& folde
                                          [&](const Progress& progress) { line.show(progress); });
     line.finish();
     if (outcome.interrupted) return false;
-    work.picture = integrator->film().develop(studio.programs.device());
+    work.picture = integrator->film().develop();
     for (const std::string& finding : integrator->findings())
         work.entry.findings.push_back(finding);
     work.entry.facts = facts_text(work.options, outcome);

@@ -127,7 +127,7 @@ bool run(const RenderRequest& request) {
     report.film_bytes = gpu::total_bytes(plan.film);
     report.outcome = render_until_done(*integrator, report, request.quiet);
     report.rays = integrator->ray_counts();
-    report.invalid = integrator->film().find_invalid(device);
+    report.invalid = integrator->film().find_invalid();
     warn_of_invalid(report.invalid);
     for (const std::string& finding : integrator->findings()) spdlog::info("{}", finding);
     if (report.outcome.samples == 0) {
@@ -139,8 +139,7 @@ bool run(const RenderRequest& request) {
                      report.outcome.samples);
 
     const Timer writing;
-    write_pictures(outputs, integrator->film().develop(device), request, scene,
-                   describe_picture(report));
+    write_pictures(outputs, integrator->film().develop(), request, scene, describe_picture(report));
     if (request.cost_aov) write_test_maps(outputs, context, describe_picture(report));
     report.write_seconds = writing.seconds();
     report.total_seconds = total.seconds();

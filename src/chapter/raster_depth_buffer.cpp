@@ -36,7 +36,7 @@ class DepthBuffer : public Integrator {
   public:
     DepthBuffer(const IntegratorContext& c, DepthAtomics atomics)
         : context_(checked(c)), options_(c.options), buffers_(c.device()), scene_(c, buffers_),
-          atomics_(atomics), film_(c.device(), options_.width, options_.height),
+          atomics_(atomics), film_(c.programs, buffers_.film, options_),
           depth_(buffers_, options_, scene_.primitives()),
           program_(build_raster(
               c, "depth_buffer.cl",
@@ -51,12 +51,15 @@ class DepthBuffer : public Integrator {
         for (uint32_t sample = 0; sample < count; sample++) {
             scene_.set_sample(first + sample);
             const auto between = [&] { return keep_going(double(sample) / count); };
-            if (!draw_sample(between) || !keep_going(double(sample + 1) / count)) return;
+            film_.begin_pass(first + sample, 1);
+            if (!draw_sample(between)) return;
+            film_.end_wave(pixels());
+            if (!keep_going(double(sample + 1) / count)) return;
         }
     }
 
     uint32_t max_samples() const override { return MOST_SAMPLES; }
-    const Film& film() const override { return film_; }
+    Film& film() override { return film_; }
     RayCounts ray_counts() const override { return {}; }
     const gpu::BuildReport& build_report() const override { return program_.report(); }
     const RenderBuffers& buffers() const override { return buffers_; }

@@ -39,7 +39,7 @@ class TilePainter : public Painter {
   public:
     TilePainter(const IntegratorContext& c, uint32_t most_entries)
         : context_(checked(c)), options_(c.options), buffers_(c.device()), scene_(c, buffers_),
-          film_(c.device(), options_.width, options_.height),
+          film_(c.programs, buffers_.film, options_),
           painter_(buffers_, scene_.record(), c.device().facts(), most_entries),
           tiles_(c.device(), painter_.tiles), sort_(c.programs, painter_.sort, scene_.primitives(),
                                                     RadixSort::best_group(c.device().facts())),
@@ -63,12 +63,15 @@ class TilePainter : public Painter {
         for (uint32_t sample = 0; sample < count; sample++) {
             scene_.set_sample(first + sample);
             const auto between = [&] { return keep_going(double(sample) / count); };
-            if (!draw_sample(between) || !keep_going(double(sample + 1) / count)) return;
+            film_.begin_pass(first + sample, 1);
+            if (!draw_sample(between)) return;
+            film_.end_wave(pixels());
+            if (!keep_going(double(sample + 1) / count)) return;
         }
     }
 
     uint32_t max_samples() const override { return MOST_SAMPLES; }
-    const Film& film() const override { return film_; }
+    Film& film() override { return film_; }
     RayCounts ray_counts() const override { return {}; }
     const gpu::BuildReport& build_report() const override { return report_; }
     const RenderBuffers& buffers() const override { return buffers_; }

@@ -1,36 +1,96 @@
-// The film: per pixel, linear sums of radiance and how many samples they hold.
+// The film: per pixel, linear sums over the samples.
+//
+// Samples are joined in a fixed tree, so that a million of them lose no digits and no split of the
+// work changes a bit. A leaf is a block of 64 consecutive samples, added one by one from zero
+// (film_add of kernels/film/film.h). Blocks are joined as aligned pairs only,
+//     S[a, a + 2k) = S[a, a + k) + S[a + k, a + 2k),
+// by a binary counter: level n of the pending sums holds 2^n blocks, and when a block is full and
+// another sample comes, the block is carried into the lowest free level (kernels/film/carry.cl).
+// A picture in between adds the pending levels to the sums of the last block from the lowest level
+// to the highest, which is the same tree with its missing samples left out. So a film of 64 samples
+// or fewer is the plain sum, and a film goes on from wherever it was left.
+//
+// Splats, which any path may add to any pixel, are exact integers and need no tree.
 #pragma once
 
-#include "gpu/buffer.h"
+#include "gpu/buffer_list.h"
+#include "gpu/program.h"
 #include "image/image.h"
+#include "render/film_contents.h"
+#include "render/options.h"
 
-#include <CL/cl_platform.h>
-
-#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace onde {
 
+/// States the buffers of a film of options.samples samples for these channels.
+void plan_film(gpu::BufferList& buffers, const RenderOptions& options,
+               std::span<const FilmChannel> channels = FILM_CHANNELS);
+
 class Film {
   public:
-    /// A black film of width x height pixels on the device.
-    Film(const gpu::Device& device, uint32_t width, uint32_t height);
+    /// An empty film for these channels. It may get more samples than the options say; the buffers
+    /// for those are in no list. The programs outlive it.
+    Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOptions& options,
+         std::span<const FilmChannel> channels = FILM_CHANNELS);
 
-    const gpu::Buffer<cl_float4>& sums() const { return sums_; }
+    /// From now on the film is what the integrator makes of these sums at the end of each pass.
+    void hold_splats(const gpu::Buffer<uint32_t>& splats) { splats_ = splats; }
+
+    /// What kernels add to: the sums of the current block.
+    const gpu::Buffer<cl_float4>& sums(uint32_t plane = 0) const { return planes_[plane].block; }
     const gpu::Buffer<uint32_t>& invalid() const { return invalid_; }
 
-    /// The mean radiance so far, 3 channels; pixels without a sample are black.
-    Image develop(const gpu::Device& device) const;
+    const FilmExtent& extent() const { return extent_; }
+    /// Per pixel, not whole after an interrupted pass.
+    double samples() const;
+
+    /// To be called before samples first .. first + count - 1 of all pixels are added. They lie in
+    /// one block and follow the film's last ones (an empty film begins anywhere); a pass that was
+    /// interrupted comes again. Returns how many pixels of pixel_order() have them already. Throws
+    /// InputError otherwise.
+    uint32_t begin_pass(uint32_t first, uint32_t count);
+    /// The first `pixels` pixels have the samples of the pass.
+    void end_wave(uint32_t pixels);
+
+    /// Its channels, and the picture of one: pixels without a sample are black.
+    const std::vector<FilmChannel>& channels() const { return channels_; }
+    Image develop(const FilmChannel& channel = RADIANCE) const;
+
+    void clear();
+    FilmContents contents() const;
+    /// Goes on from there. Throws InputError unless they are of a film of this size, with splats if
+    /// this one has them.
+    void restore(const FilmContents& contents);
 
     /// Samples that were thrown away because their radiance was not finite, and the first of them.
     struct Invalid {
         uint32_t count = 0, x = 0, y = 0, sample = 0;
     };
-    Invalid find_invalid(const gpu::Device& device) const;
+    Invalid find_invalid() const;
+
+    /// Buffers of a float4 per pixel.
+    struct Plane {
+        gpu::Buffer<cl_float4> block;
+        std::vector<gpu::Buffer<cl_float4>> pending; ///< by level
+    };
 
   private:
+    uint32_t pixels() const { return width_ * height_; }
+    size_t levels() const;
+    void carry(Plane& plane);
+    void launch(const char* kernel, const gpu::Buffer<cl_float4>& pending, const Plane& plane);
+    FilmSums join(const Plane& plane) const;
+
+    gpu::Programs& programs_;
+    const gpu::Device& device_;
     uint32_t width_, height_;
-    gpu::Buffer<cl_float4> sums_;
-    gpu::Buffer<uint32_t> invalid_;
+    std::vector<FilmChannel> channels_;
+    std::vector<Plane> planes_;
+    gpu::Buffer<uint32_t> invalid_, splats_;
+    FilmExtent extent_;
+    std::optional<gpu::Program> program_; ///< once something is carried
 };
 
 } // namespace onde

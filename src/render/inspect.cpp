@@ -18,7 +18,7 @@ RenderOptions single_path(RenderOptions options) {
     options.settings.launch = gpu::Launch::fused;
     options.settings.queue = gpu::QueueKind::chunk_local;
     options.engine = Engine::wavefront;
-    options.samples_in_flight = 1;
+    options.samples = options.samples_in_flight = 1;
     options.tree_slots = MOST_NODES;
     return options;
 }
@@ -38,10 +38,8 @@ class Inspection {
     Inspection(const IntegratorContext& c, const PixelSample& at)
         : device_(c.device()), options_(single_path(c.options)), wave_(wave_of(options_, at)),
           buffers_(c.device()),
-          film_(c.device(), options_.width, options_.height), engine_{c.programs, buffers_,
-                                                                      c.scene,    film_,
-                                                                      c.camera,   options_,
-                                                                      nullptr},
+          film_(c.programs, buffers_.film, options_), engine_{c.programs, buffers_, c.scene, film_,
+                                                              c.camera,   options_, nullptr},
           arguments_(engine_) {}
 
     const RenderOptions& options() const { return options_; }

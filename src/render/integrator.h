@@ -18,14 +18,15 @@ class Integrator {
   public:
     virtual ~Integrator() = default;
 
-    /// Adds samples first .. first + count - 1 of every pixel; `count` must be a power of two of at
-    /// most max_samples(). Calls `keep_going` between waves with the share of the pass that is
-    /// done, and stops early when it returns false.
+    /// Adds samples first .. first + count - 1 of every pixel to the film, or the rest of them
+    /// after an interruption; see Film::begin_pass. `count` must be a power of two; more than
+    /// max_samples() are added in several steps. Calls `keep_going` between waves with the share of
+    /// the pass that is done, and stops early when it returns false.
     virtual void render_pass(uint32_t first, uint32_t count,
                              const std::function<bool(double)>& keep_going) = 0;
     virtual uint32_t max_samples() const = 0;
 
-    virtual const Film& film() const = 0;
+    virtual Film& film() = 0;
     virtual RayCounts ray_counts() const = 0;
     virtual const gpu::BuildReport& build_report() const = 0;
     /// What was allocated for the render, beside the device scene.

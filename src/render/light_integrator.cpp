@@ -43,7 +43,7 @@ LightIntegrator::LightIntegrator(const IntegratorContext& context)
     : device_(checked(context).device()), options_(context.options), profiler_(context.profiler),
       has_mirrors_(has_smooth_lobes(*context.description)),
       hidden_emitters_(count_hidden_emitters(context.scene.packed())), buffers_(device_),
-      film_(device_, options_.width, options_.height), light_(buffers_, options_),
+      film_(context.programs, buffers_.film, options_), light_(buffers_, options_),
       arguments_(engine_context(context, buffers_, film_)),
       program_(build_engine(engine_context(context, buffers_, film_), "wavefront/light_tracing.cl",
                             {"light_tracing", "resolve"})) {
@@ -53,16 +53,20 @@ LightIntegrator::LightIntegrator(const IntegratorContext& context)
     gpu::Kernel& kernel = program_.kernel("light_tracing");
     kernel.set_from(arguments_.bind(kernel), light_.setup, light_.splats, light_.statistics,
                     light_.state, uint32_t(light_.state.size() / LIGHT_LANES));
+    film_.hold_splats(light_.splats);
 }
 
 void LightIntegrator::render_pass(uint32_t first, uint32_t count,
                                   const std::function<bool(double)>& keep_going) {
     const uint32_t pixels = options_.width * options_.height;
-    const uint32_t pixels_per_wave = options_.settings.wave_size / count;
-    for (uint32_t begin = 0; begin < pixels; begin += pixels_per_wave) {
-        const uint32_t end = std::min(begin + pixels_per_wave, pixels);
-        trace_wave({begin, end - begin, first, count});
+    const uint32_t step = std::min(count, max_samples());
+    const uint32_t pixels_per_wave = options_.settings.wave_size / step;
+    for (uint32_t begin = film_.begin_pass(first, count), end = 0; begin < pixels; begin = end) {
+        end = std::min(begin + pixels_per_wave, pixels);
+        for (uint32_t done = 0; done < count; done += step)
+            trace_wave({begin, end - begin, first + done, step});
         device_.finish();
+        film_.end_wave(end);
         if (!keep_going(double(end) / pixels)) break;
     }
     resolve();
@@ -81,12 +85,9 @@ void LightIntegrator::resolve() {
     const uint32_t pixels = options_.width * options_.height, chunk = options_.settings.chunk;
     const float scale = 1.0f / (splat_scale_ * float(pixels));
     gpu::Kernel& kernel = program_.kernel("resolve");
-    kernel.set_from(0, pixels, chunk, light_.splats, film_.sums(), scale,
-                    float(double(emitted_) / pixels));
+    kernel.set_from(0, pixels, chunk, light_.splats, film_.sums(), scale, float(film_.samples()));
     kernel.launch((pixels + chunk - 1) / chunk, profiler_);
     device_.finish();
-    if (statistics()[LIGHT_OVERFLOW] > 0)
-        throw InputError("the light of a pixel ran over what its sum can hold; use fewer --spp");
 }
 
 uint32_t LightIntegrator::max_samples() const {

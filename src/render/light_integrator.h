@@ -35,7 +35,7 @@ class LightIntegrator : public Integrator {
     void render_pass(uint32_t first, uint32_t count,
                      const std::function<bool(double)>& keep_going) override;
     uint32_t max_samples() const override;
-    const Film& film() const override { return film_; }
+    Film& film() override { return film_; }
     RayCounts ray_counts() const override;
     const gpu::BuildReport& build_report() const override { return program_.report(); }
     const RenderBuffers& buffers() const override { return buffers_; }

@@ -1,5 +1,6 @@
 #include "render/light_tracing_setup.h"
 
+#include "render/film_contents.h"
 #include "scene/load.h"
 #include "scene/phong.h"
 #include "shared/scene.h"
@@ -42,7 +43,7 @@ LightTracingRecord make_light_tracing(const Scene& scene, const RenderOptions& o
     LightTracingRecord record{};
     for (uint32_t k = 0; k < 3; k++) record.center[k] = center[glm::length_t(k)];
     record.radius = std::max(0.5f * glm::length(bounds.high - bounds.low) * 1.001f, 1e-6f);
-    const double paths = double(options.samples) * options.width * options.height;
+    const double paths = double(FILM_BLOCK) * options.width * options.height;
     const double most = paths * brightest_light(scene) * HEADROOM;
     record.splat_scale = std::ldexp(1.0f, std::clamp(64 - std::ilogb(most) - 1, -100, 100));
     return record;

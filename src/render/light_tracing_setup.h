@@ -8,8 +8,10 @@
 namespace onde {
 
 /// A sphere around the scene, and the fixed point of splats: the power of two that leaves room in
-/// 64 bits for a pixel a thousand times as bright as the brightest light. Splats are in film area:
-/// the sum of a pixel is its radiance times the number of all paths.
+/// 64 bits for FILM_BLOCK samples of a pixel a thousand times as bright as the brightest light. It
+/// does not depend on the number of samples, lest a film that goes on be another one; more samples
+/// than that run into the third word. Splats are in film area: the sum of a pixel is its radiance
+/// times the number of all paths.
 LightTracingRecord make_light_tracing(const Scene& scene, const RenderOptions& options);
 
 /// Words of the paths in flight: LIGHT_LANES lanes of a wave each, padded.

@@ -13,7 +13,8 @@ class Reporter {
   public:
     Reporter(Integrator& integrator, const RenderOptions& options,
              const std::function<void(const Progress&)>& report, double per_second)
-        : integrator_(integrator), options_(options), report_(report), interval_(1 / per_second) {}
+        : integrator_(integrator), options_(options), report_(report), interval_(1 / per_second),
+          begun_(integrator.film().samples() / options.samples) {}
 
     double seconds() const { return timer_.seconds(); }
 
@@ -28,7 +29,8 @@ class Reporter {
         const double by_samples = samples / options_.samples;
         const double by_time = options_.seconds > 0 ? now / options_.seconds : 0;
         progress.fraction = std::min(1.0, std::max(by_samples, by_time));
-        progress.seconds_left = now * (1 - progress.fraction) / std::max(progress.fraction, 1e-9);
+        progress.seconds_left =
+            now * (1 - progress.fraction) / std::max(progress.fraction - begun_, 1e-9);
         progress.rays_per_second = double(integrator_.ray_counts().total()) / std::max(now, 1e-9);
         report_(progress);
     }
@@ -38,9 +40,17 @@ class Reporter {
     const RenderOptions& options_;
     const std::function<void(const Progress&)>& report_;
     double interval_;
+    double begun_; ///< fraction that was there before
     double next_ = 0;
     Timer timer_;
 };
+
+/// Samples of the next pass: what is left of an interrupted one, or as many as one block takes.
+uint32_t next_pass(const FilmExtent& held, uint32_t most, uint32_t target) {
+    if (held.pixels > 0) return held.pass;
+    const uint32_t left_in_block = FILM_BLOCK - held.end % FILM_BLOCK;
+    return std::bit_floor(std::min({most, target - held.end, left_in_block}));
+}
 
 } // namespace
 
@@ -49,21 +59,22 @@ RenderOutcome render(Integrator& integrator, const RenderOptions& options,
                      const std::function<void(const Progress&)>& report,
                      double reports_per_second) {
     Reporter reporter(integrator, options, report, reports_per_second);
-    RenderOutcome outcome;
-    uint32_t done = 0;
+    const Film& film = integrator.film();
+    const uint32_t begun = film.extent().end;
     const auto time_left = [&] {
-        return options.seconds <= 0 || done == 0 || reporter.seconds() < options.seconds;
+        return options.seconds <= 0 || film.extent().end == begun ||
+               reporter.seconds() < options.seconds;
     };
-    while (done < options.samples && !stop && time_left()) {
+    while (film.extent().end < options.samples && !stop && time_left()) {
         const uint32_t most = options.seconds > 0 ? 1 : integrator.max_samples();
-        const uint32_t count = std::min(most, std::bit_floor(options.samples - done));
-        integrator.render_pass(done, count, [&](double share) {
-            outcome.samples = done + share * count;
-            reporter.wave_done(outcome.samples);
+        const uint32_t count = next_pass(film.extent(), most, options.samples);
+        integrator.render_pass(film.extent().end, count, [&](double) {
+            reporter.wave_done(film.samples());
             return !stop;
         });
-        done += count;
     }
+    RenderOutcome outcome;
+    outcome.samples = film.samples();
     outcome.interrupted = stop;
     outcome.seconds = reporter.seconds();
     reporter.wave_done(outcome.samples, true);

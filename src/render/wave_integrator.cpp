@@ -28,17 +28,21 @@ class WaveIntegrator : public Integrator {
   public:
     WaveIntegrator(const IntegratorContext& c, const EngineFactory& make)
         : device_(c.device()), options_(checked(c.options)), buffers_(c.device()),
-          film_(c.device(), c.options.width, c.options.height),
+          film_(c.programs, buffers_.film, options_),
           engine_(make({c.programs, buffers_, c.scene, film_, c.camera, options_, c.profiler})) {}
 
     void render_pass(uint32_t first, uint32_t count,
                      const std::function<bool(double)>& keep_going) override {
         const uint32_t pixels = options_.width * options_.height;
-        const uint32_t pixels_per_wave = engine_->wave_capacity() / count;
-        for (uint32_t begin = 0; begin < pixels; begin += pixels_per_wave) {
-            const uint32_t end = std::min(begin + pixels_per_wave, pixels);
-            engine_->render_wave({begin, end - begin, first, count});
+        const uint32_t step = std::min(count, max_samples());
+        const uint32_t pixels_per_wave = engine_->wave_capacity() / step;
+        for (uint32_t begin = film_.begin_pass(first, count), end = 0; begin < pixels;
+             begin = end) {
+            end = std::min(begin + pixels_per_wave, pixels);
+            for (uint32_t done = 0; done < count; done += step)
+                engine_->render_wave({begin, end - begin, first + done, step});
             device_.finish();
+            film_.end_wave(end);
             if (!keep_going(double(end) / pixels)) return;
         }
     }
@@ -48,7 +52,7 @@ class WaveIntegrator : public Integrator {
             {options_.samples_in_flight, engine_->sample_capacity(), engine_->wave_capacity()}));
     }
 
-    const Film& film() const override { return film_; }
+    Film& film() override { return film_; }
     const gpu::BuildReport& build_report() const override { return engine_->build_report(); }
     const RenderBuffers& buffers() const override { return buffers_; }
 

@@ -27,10 +27,6 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
     throw InputError("this integrator is not known");
 }
 
-static void plan_film(gpu::BufferList& buffers, const RenderOptions& options) {
-    buffers.add<cl_float4>("film sums", size_t(options.width) * options.height);
-}
-
 MemoryPlan plan_memory(const Scene& scene, const RenderOptions& options,
                        const gpu::DeviceFacts& facts) {
     RenderBuffers buffers;

@@ -19,7 +19,7 @@ struct Replay {
     Image sample(uint32_t index) const {
         const auto integrator = make_integrator(context());
         integrator->render_pass(index, 1, [](double) { return true; });
-        return integrator->film().develop(device());
+        return integrator->film().develop();
     }
 };
 

@@ -24,8 +24,7 @@ inline LightPicture trace_light(const DeviceScene& placed, const Scene& scene,
         {programs(), &scene, placed, scene.cameras.at(options.camera), options});
     const std::atomic<bool> never{false};
     render(integrator, options, never, [](const Progress&) {});
-    return {integrator.film().develop(device()), integrator.counts(),
-            integrator.film().find_invalid(device())};
+    return {integrator.film().develop(), integrator.counts(), integrator.film().find_invalid()};
 }
 
 /// Luminance per pixel and the variance of that number.

@@ -50,9 +50,9 @@ inline Picture take_picture(Integrator& integrator, const RenderOptions& options
     const std::atomic<bool> never{false};
     Picture picture;
     picture.outcome = render(integrator, options, never, [](const Progress&) {});
-    picture.image = integrator.film().develop(device());
+    picture.image = integrator.film().develop();
     picture.rays = integrator.ray_counts();
-    picture.invalid = integrator.film().find_invalid(device());
+    picture.invalid = integrator.film().find_invalid();
     return picture;
 }
 

@@ -26,7 +26,7 @@ Image draw_on(gpu::Programs& target, const Scene& scene, IntegratorKind kind) {
     const auto integrator =
         make_integrator({target, &scene, placed, scene.cameras[0], options, nullptr});
     integrator->render_pass(0, 2, [](double) { return true; });
-    return integrator->film().develop(target.device());
+    return integrator->film().develop();
 }
 
 } // namespace

@@ -45,7 +45,7 @@ TEST_CASE("an interrupted render keeps the samples that it has") {
     CHECK(outcome.interrupted);
     CHECK(outcome.samples >= 4);
     CHECK(outcome.samples < 1u << 20);
-    const Image image = integrator->film().develop(device());
+    const Image image = integrator->film().develop();
     CHECK(*std::ranges::max_element(image.pixels) > 0);
 }
 

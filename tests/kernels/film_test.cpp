@@ -1,0 +1,219 @@
+// The film's sums over samples that the tests make up, by the kernels of kernels/film.
+#include "core/error.h"
+#include "kernels/columns.h"
+#include "render/film.h"
+#include "support/probe.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace onde::test {
+namespace {
+
+RenderOptions options_of(uint32_t width, uint32_t samples = 1) {
+    RenderOptions options;
+    options.width = width;
+    options.height = 1;
+    options.samples = samples;
+    return options;
+}
+
+/// A film of one row, for which no more than one sample was planned.
+class FilmRig {
+    gpu::BufferList buffers_{device()};
+
+  public:
+    Film film;
+
+    explicit FilmRig(uint32_t width)
+        : film(programs(), buffers_, options_of(width)), width_(width),
+          program_(programs().build({"probe/film.cl", {}, {{"probe_film", 1}}})) {
+        std::vector<uint32_t> order(width);
+        for (uint32_t x = 0; x < width; x++) order[x] = x;
+        order_ = gpu::Buffer<uint32_t>(device(), std::span<const uint32_t>(order));
+    }
+
+    /// The same samples go to all pixels.
+    void add(const std::vector<float>& samples) {
+        std::vector<cl_float4> radiance;
+        for (uint32_t pixel = 0; pixel < width_; pixel++)
+            for (const float value : samples) radiance.push_back({{value, -value, 0, 0}});
+        place(radiance);
+        add_placed(uint32_t(samples.size()));
+    }
+    /// `samples` of each pixel, one after the other.
+    void place(const std::vector<cl_float4>& radiance) {
+        radiance_ = gpu::Buffer<cl_float4>(device(), std::span<const cl_float4>(radiance));
+    }
+    void add_placed(uint32_t samples) {
+        film.begin_pass(film.extent().end, samples);
+        gpu::Kernel& kernel = program_.kernel("probe_film");
+        kernel.set_from(0, width_, samples, order_, radiance_, film.sums(), film.invalid());
+        kernel.launch(width_);
+        film.end_wave(width_);
+    }
+    /// In passes that end where blocks do.
+    void add_all(const std::vector<float>& samples) {
+        for (auto at = samples.begin(); at != samples.end();) {
+            const auto room = ptrdiff_t(FILM_BLOCK - film.extent().end % FILM_BLOCK);
+            const auto end = at + std::min(room, samples.end() - at);
+            add(std::vector<float>(at, end));
+            at = end;
+        }
+    }
+
+  private:
+    uint32_t width_;
+    gpu::Program program_;
+    gpu::Buffer<uint32_t> order_;
+    gpu::Buffer<cl_float4> radiance_;
+};
+
+std::vector<float> random_samples(size_t count, uint32_t seed) {
+    Generator generator(seed);
+    std::vector<float> samples(count);
+    for (float& sample : samples) sample = 10 * unit(generator) * unit(generator);
+    return samples;
+}
+
+/// The sum of samples first to end - 1 as the film's contract says it; `first` is a multiple of a
+/// power of two of blocks that is no less than end - first.
+float tree_sum(const std::vector<float>& samples, size_t first, size_t end) {
+    float sum = 0;
+    if (end - first <= FILM_BLOCK) {
+        for (size_t i = first; i < end; i++) sum += samples[i];
+        return sum;
+    }
+    size_t half = FILM_BLOCK;
+    while (2 * half < end - first) half *= 2;
+    return tree_sum(samples, first, first + half) + tree_sum(samples, first + half, end);
+}
+
+float mean_of(const std::vector<float>& samples) {
+    return tree_sum(samples, 0, samples.size()) / float(samples.size());
+}
+
+} // namespace
+
+TEST_CASE("constant pixels keep their value over a million samples") {
+    const std::vector<float> values{100.0f, 0.3f, 0.18f, 1e-4f};
+    FilmRig rig(uint32_t(values.size()));
+    std::vector<cl_float4> radiance;
+    for (const float value : values)
+        radiance.insert(radiance.end(), FILM_BLOCK, {{value, value, value, 0}});
+    rig.place(radiance);
+    constexpr uint32_t SAMPLES = 1u << 20;
+    for (uint32_t i = 0; i < SAMPLES; i += FILM_BLOCK) rig.add_placed(FILM_BLOCK);
+    const Image image = rig.film.develop(), counts = rig.film.develop(SAMPLE_COUNT);
+    for (size_t i = 0; i < values.size(); i++) {
+        const double error = double(image.pixels[3 * i]) / double(values[i]) - 1;
+        INFO("a pixel of " << values[i] << " is off by " << error);
+        CHECK(std::abs(error) <= 1e-6);
+        CHECK(counts.pixels[i] == float(SAMPLES));
+    }
+}
+
+TEST_CASE("the film is the sum over blocks of 64 that are joined as aligned pairs") {
+    for (const size_t count : {1u, 5u, 63u, 64u, 65u, 127u, 128u, 129u, 192u, 448u, 640u, 1000u}) {
+        const std::vector<float> samples = random_samples(count, 7);
+        FilmRig rig(3);
+        rig.add_all(samples);
+        const Image image = rig.film.develop();
+        const float mean = mean_of(samples);
+        INFO(count << " samples");
+        for (size_t pixel = 0; pixel < 3; pixel++) {
+            CHECK(image.pixels[3 * pixel] == mean);
+            CHECK(image.pixels[3 * pixel + 1] == -mean);
+        }
+        CHECK(rig.film.develop(SAMPLE_COUNT).pixels == std::vector<float>(3, float(count)));
+    }
+}
+
+TEST_CASE("a film goes on from its contents, wherever they were taken") {
+    const std::vector<float> samples = random_samples(640, 11);
+    const auto part = [&](ptrdiff_t first, ptrdiff_t end) {
+        return std::vector<float>(samples.begin() + first, samples.begin() + end);
+    };
+    for (const ptrdiff_t cut : {0, 1, 63, 64, 65, 128, 192, 200, 256, 448, 512, 576, 639, 640}) {
+        FilmRig first(2), second(2);
+        first.add_all(part(0, cut));
+        second.add_all(part(0, 100)); // which restore() must forget
+        second.film.restore(first.film.contents());
+        second.add_all(part(cut, 640));
+        INFO("cut at " << cut);
+        CHECK(second.film.develop().pixels[3] == mean_of(samples));
+        CHECK(second.film.extent() == FilmExtent{0, 640, 0, 0});
+    }
+    CHECK_THROWS_WITH(FilmRig(3).film.restore(FilmRig(2).film.contents()), Catch::Contains("2x1"));
+}
+
+TEST_CASE("pixels that an interrupted pass did not reach have the mean of fewer samples") {
+    const std::vector<float> samples = random_samples(84, 13);
+    FilmRig rig(2);
+    rig.add_all({samples.begin(), samples.begin() + 80});
+    std::vector<cl_float4> radiance;
+    for (size_t i = 80; i < 84; i++) radiance.push_back({{samples[i], 0, 0, 0}});
+    for (size_t i = 0; i < 4; i++) radiance.push_back({}); // of the pixel that has to wait
+    rig.place(radiance);
+    const FilmContents before = rig.film.contents();
+    rig.add_placed(4);
+    FilmContents interrupted = rig.film.contents();
+    interrupted.extent = {0, 80, 4, 1};
+    interrupted.planes[0].block[1] = before.planes[0].block[1];
+    rig.film.restore(interrupted);
+    CHECK(rig.film.samples() == 82);
+    const Image image = rig.film.develop();
+    CHECK(image.pixels[0] == mean_of(samples));
+    CHECK(image.pixels[3] == mean_of({samples.begin(), samples.begin() + 80}));
+    CHECK(rig.film.develop(SAMPLE_COUNT).pixels == std::vector<float>{84, 80});
+    CHECK(rig.film.begin_pass(80, 4) == 1);
+    CHECK_THROWS_AS(rig.film.begin_pass(80, 2), InputError);
+    CHECK_THROWS_AS(rig.film.begin_pass(84, 4), InputError);
+}
+
+TEST_CASE("a pass lies in one block and follows what the film has") {
+    FilmRig rig(1);
+    CHECK_THROWS_AS(rig.film.begin_pass(60, 8), InputError);
+    CHECK_THROWS_AS(rig.film.begin_pass(0, 0), InputError);
+    CHECK(rig.film.begin_pass(56, 8) == 0);
+    rig.film.end_wave(1);
+    CHECK_THROWS_AS(rig.film.begin_pass(56, 8), InputError);
+    CHECK_THROWS_AS(rig.film.begin_pass(72, 8), InputError);
+    CHECK(rig.film.begin_pass(64, 64) == 0);
+    rig.film.clear();
+    CHECK(rig.film.begin_pass(0, 64) == 0);
+}
+
+TEST_CASE("a film that begins late is the tree without the samples before") {
+    std::vector<float> samples = random_samples(1000, 17);
+    std::fill(samples.begin(), samples.begin() + 330, 0.0f);
+    FilmRig rig(1);
+    rig.film.begin_pass(330, 1);
+    rig.add_all({samples.begin() + 330, samples.end()});
+    CHECK(rig.film.develop().pixels[0] == tree_sum(samples, 0, 1000) / 670.0f);
+    CHECK(rig.film.samples() == 670);
+}
+
+TEST_CASE("a film takes a buffer for every doubling of its blocks, and none for one block") {
+    const auto buffers = [](uint32_t samples) {
+        gpu::BufferList list;
+        plan_film(list, options_of(70, samples));
+        CHECK(gpu::total_bytes(list.sizes()) == list.sizes().size() * 70 * 16);
+        return list.sizes().size();
+    };
+    CHECK(buffers(1) == 1);
+    CHECK(buffers(64) == 1);
+    CHECK(buffers(65) == 2);
+    CHECK(buffers(128) == 2);
+    CHECK(buffers(129) == 3);
+    CHECK(buffers(1u << 20) == 15);
+    for (const uint32_t samples : {64u, 65u, 128u, 129u, 640u}) {
+        FilmRig rig(1);
+        rig.add_all(std::vector<float>(samples, 1.0f));
+        CHECK(rig.film.contents().planes[0].pending.size() + 1 == buffers(samples));
+    }
+}
+
+} // namespace onde::test

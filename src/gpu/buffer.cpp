@@ -10,7 +10,7 @@ cl::Buffer allocate(const Device& device, cl_mem_flags flags, size_t count, size
                     const void* host) {
     const DeviceFacts& facts = device.facts();
     if (count > facts.max_allocation / element_size)
-        throw DeviceError("a buffer of {} elements of {} bytes was asked for, but {} allows {} "
+        throw OutOfMemory("a buffer of {} elements of {} bytes was asked for, but {} allows {} "
                           "bytes in one buffer; use a smaller scene, film or wave",
                           count, element_size, facts.name, facts.max_allocation);
     if (count == 0) { // there is nothing to copy or to use; bound buffers must not be null
@@ -18,9 +18,13 @@ cl::Buffer allocate(const Device& device, cl_mem_flags flags, size_t count, size
         host = nullptr;
     }
     const size_t bytes = std::max<size_t>(count, 1) * element_size;
-    return checked(fmt::format("{} refused a buffer of {} bytes", facts.name, bytes), [&] {
+    device.count_allocation(count * element_size);
+    try {
         return cl::Buffer(device.context(), flags, bytes, const_cast<void*>(host));
-    });
+    } catch (const cl::Error& error) {
+        throw OutOfMemory("{} refused a buffer of {} bytes ({})", facts.name, bytes,
+                          error_name(error.err()));
+    }
 }
 
 void read_bytes(const Device& device, const cl::Buffer& buffer, size_t offset, size_t size,

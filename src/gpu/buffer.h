@@ -10,8 +10,13 @@
 
 namespace onde::gpu {
 
+/// The device has no room for a buffer.
+struct OutOfMemory : DeviceError {
+    using DeviceError::DeviceError;
+};
+
 /// A device buffer of `size()` elements. At least one element is always allocated, so that an empty
-/// buffer may be bound to a kernel. Throws DeviceError when the device refuses.
+/// buffer may be bound to a kernel. Throws OutOfMemory when the device refuses.
 template <class T>
 class Buffer {
     static_assert(std::is_trivially_copyable_v<T>);

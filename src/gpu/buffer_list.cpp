@@ -1,7 +1,5 @@
 #include "gpu/buffer_list.h"
 
-#include <algorithm>
-
 namespace onde::gpu {
 
 uint64_t total_bytes(std::span<const BufferSize> buffers) {
@@ -11,8 +9,7 @@ uint64_t total_bytes(std::span<const BufferSize> buffers) {
 }
 
 void BufferList::note(std::string name, size_t count, size_t element_size) {
-    // A buffer of no elements has room for one: see Buffer.
-    sizes_.push_back({std::move(name), std::max<uint64_t>(count, 1) * element_size});
+    sizes_.push_back({std::move(name), uint64_t(count) * element_size});
 }
 
 } // namespace onde::gpu

@@ -8,7 +8,7 @@
 
 namespace onde::gpu {
 
-/// One device buffer: what it holds, for people, and the memory that it takes.
+/// One device buffer: what it holds, for people, and the size of that.
 struct BufferSize {
     std::string name;
     uint64_t bytes = 0;

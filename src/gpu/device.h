@@ -3,7 +3,9 @@
 
 #include <CL/opencl.hpp>
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -62,11 +64,16 @@ class Device {
     /// Waits for all that was queued. Throws DeviceError.
     void finish() const;
 
+    /// The sum of all buffers that were ever allocated on it.
+    uint64_t allocated_bytes() const { return *allocated_; }
+    void count_allocation(uint64_t bytes) const { *allocated_ += bytes; }
+
   private:
     DeviceFacts facts_;
     cl::Device device_;
     cl::Context context_;
     cl::CommandQueue queue_;
+    std::unique_ptr<std::atomic<uint64_t>> allocated_ = std::make_unique<std::atomic<uint64_t>>(0);
 };
 
 /// The place, counted through all platforms, of the device with that index ("0"), or whose name or

@@ -38,6 +38,8 @@ struct DeviceSettings {
     bool primary_packets = false; ///< trace primary rays in packets of 16
     /// Rays of late bounces take turns in a tree of more bytes, which waits for memory otherwise.
     uint64_t interleave_above = UINT64_MAX;
+
+    bool operator==(const DeviceSettings&) const = default;
 };
 
 /// The settings that measured best for devices of this kind (CPUs), or that follow from their

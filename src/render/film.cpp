@@ -14,6 +14,7 @@ namespace {
 /// exact, need none.
 size_t pending_levels(const RenderOptions& options) {
     if (options.integrator == IntegratorKind::light) return 0;
+    if (options.seconds > 0) return 0; // nobody knows how many; they are allocated when they come
     return size_t(std::bit_width((std::max(options.samples, 1u) - 1) / FILM_BLOCK));
 }
 
@@ -37,13 +38,15 @@ std::vector<Film::Plane> make_planes(gpu::BufferList& buffers, const RenderOptio
 void plan_film(gpu::BufferList& buffers, const RenderOptions& options,
                std::span<const FilmChannel> channels) {
     make_planes(buffers, options, channels);
+    buffers.add<uint32_t>("invalid samples", INVALID_SIZE);
 }
 
 Film::Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOptions& options,
            std::span<const FilmChannel> channels)
     : programs_(programs), device_(programs.device()), width_(options.width),
       height_(options.height), channels_(channels.begin(), channels.end()),
-      planes_(make_planes(buffers, options, channels)), invalid_(device_, INVALID_SIZE) {
+      planes_(make_planes(buffers, options, channels)),
+      invalid_(buffers.add<uint32_t>("invalid samples", INVALID_SIZE)) {
     clear();
 }
 

@@ -2,6 +2,8 @@
 
 #include "core/error.h"
 
+#include <algorithm>
+
 namespace onde {
 namespace {
 
@@ -15,6 +17,16 @@ void check_buffers(const std::vector<gpu::BufferSize>& buffers, const char* reme
 }
 
 } // namespace
+
+bool fits(const MemoryPlan& plan, const gpu::DeviceFacts& facts) {
+    const auto allowed = [&](const std::vector<gpu::BufferSize>& buffers) {
+        return std::ranges::all_of(buffers, [&](const gpu::BufferSize& buffer) {
+            return buffer.bytes <= facts.max_allocation;
+        });
+    };
+    return allowed(plan.scene) && allowed(plan.paths) && allowed(plan.film) &&
+           plan.bytes() <= facts.global_memory;
+}
 
 void check_memory(const MemoryPlan& plan, const gpu::DeviceFacts& facts) {
     check_buffers(plan.scene, "use a smaller scene", facts);

@@ -34,8 +34,10 @@ struct RenderBuffers {
     MemoryPlan sizes() const { return {scene.sizes(), paths.sizes(), film.sizes()}; }
 };
 
-/// Throws DeviceError, with what is needed and what there is, when a buffer is larger than the
-/// device allows or all of them are larger than its memory.
+/// Whether every buffer, and all of them together, are what the device allows.
+bool fits(const MemoryPlan& plan, const gpu::DeviceFacts& facts);
+
+/// Throws DeviceError unless the plan fits, with what is needed and what there is.
 void check_memory(const MemoryPlan& plan, const gpu::DeviceFacts& facts);
 
 /// "12 B", "3.40 KiB", ... up to GiB.

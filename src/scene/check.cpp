@@ -1,3 +1,5 @@
+#include "scene/check.h"
+
 #include "core/error.h"
 #include "scene/load.h"
 
@@ -46,6 +48,8 @@ void check_texture(const Texture& texture, size_t i) {
             "its size and its pixels disagree");
 }
 
+} // namespace
+
 void check_material(const Scene& scene, size_t i) {
     const Material& m = scene.materials[i];
     const auto check = [&](bool holds, const char* problem) {
@@ -71,6 +75,8 @@ void check_material(const Scene& scene, size_t i) {
         check(texture >= NO_TEXTURE && texture < int64_t(scene.textures.size()),
               "it names a texture that does not exist");
 }
+
+namespace {
 
 template <class T>
 bool all_finite(const std::vector<T>& values) {
@@ -99,6 +105,8 @@ void check_mesh(const Scene& scene, size_t i) {
           "a triangle names a material that does not exist");
 }
 
+} // namespace
+
 void check_transform(const glm::mat4& m, const char* list, size_t i) {
     require(finite(m), list, i, "", "its transform is not finite");
     require(m[0][3] == 0.0f && m[1][3] == 0.0f && m[2][3] == 0.0f && m[3][3] == 1.0f, list, i, "",
@@ -106,6 +114,8 @@ void check_transform(const glm::mat4& m, const char* list, size_t i) {
     require(glm::determinant(m) != 0.0f && finite(glm::inverse(m)), list, i, "",
             "its transform is not invertible");
 }
+
+namespace {
 
 void check_instance(const Scene& scene, size_t i) {
     const Instance& instance = scene.instances[i];
@@ -170,6 +180,8 @@ void check_environment(const Environment& environment) {
         throw InputError("environment: its map must be finite and not negative");
 }
 
+} // namespace
+
 void check_camera(const Camera& camera, size_t i) {
     const glm::mat4& m = camera.camera_to_world;
     const glm::mat3 axes(m);
@@ -195,6 +207,8 @@ void check_camera(const Camera& camera, size_t i) {
               finite(camera.screen->first_pixel.value_or(glm::vec2(0.0f))),
           "its screen must have a size and a distance above 0");
 }
+
+namespace {
 
 void check_settings(const RenderSettings& settings) {
     if (settings.width.value_or(1) == 0 || settings.height.value_or(1) == 0)

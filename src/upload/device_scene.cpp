@@ -10,6 +10,21 @@ DeviceScene::DeviceScene(const gpu::Device& device, PackedScene packed)
 #undef ONDE_COPY
 }
 
+void DeviceScene::update(const gpu::Device& device, const Scene& scene, SceneChange change,
+                         const BvhOptions& options) {
+    // What is packed anew lies elsewhere in the host's memory.
+#define ONDE_REMEMBER(Type, name, words) const Type* const name##_before = packed_.name.data();
+    SCENE_BUFFERS(ONDE_REMEMBER)
+#undef ONDE_REMEMBER
+    repack_scene(packed_, scene, change, options);
+#define ONDE_COPY_NEW(Type, name, words)                                                           \
+    if (packed_.name.data() != name##_before)                                                      \
+        name##_ = gpu::Buffer<Type>(device, std::span<const Type>(packed_.name));
+    SCENE_BUFFERS(ONDE_COPY_NEW)
+#undef ONDE_COPY_NEW
+    if (change >= SceneChange::transforms) tree_ = DeviceBvh(device, packed_.bvh);
+}
+
 uint32_t DeviceScene::bind(gpu::Kernel& kernel, uint32_t first) const {
     uint32_t next = tree_.bind(kernel, first);
 #define ONDE_BIND(Type, name, words) kernel.set(next++, name##_);

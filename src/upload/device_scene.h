@@ -14,6 +14,13 @@ class DeviceScene {
     DeviceScene(const gpu::Device& device, PackedScene packed);
 
     const PackedScene& packed() const { return packed_; }
+
+    /// Takes over what has changed in the scene since it was packed; see repack_scene(). No kernel
+    /// may be running. What was bound before is to be bound again.
+    void update(const gpu::Device& device, const Scene& scene, SceneChange change,
+                const BvhOptions& options);
+    /// Replaces what kernels are compiled for; it must cover the scene.
+    void set_features(const SceneFeatures& features) { packed_.features = features; }
     uint64_t bvh_bytes() const { return tree_.bytes(); }
 
     /// Binds the scene's parameters of a kernel (SCENE_PARAMETERS of kernels/shade/scene_view.h but

@@ -2,7 +2,6 @@
 
 #include "core/files.h"
 #include "core/hash.h"
-#include "core/log.h"
 #include "core/timer.h"
 
 #include <algorithm>
@@ -135,11 +134,14 @@ BvhLayout known_layout(const gpu::DeviceFacts& facts, const LayoutMemory& memory
     return memory.recall(facts).value_or(facts.is_cpu ? BvhLayout::wide : BvhLayout::compressed);
 }
 
-BvhLayout suitable_layout(gpu::Programs& programs, const LayoutMemory& memory) {
+BvhLayout suitable_layout(gpu::Programs& programs,
+                          const std::function<void(const std::string&)>& announce,
+                          const LayoutMemory& memory) {
     const gpu::Device& device = programs.device();
     if (device.facts().is_cpu || memory.recall(device.facts()))
         return known_layout(device.facts(), memory);
-    spdlog::info("measuring which tree suits {} (once)...", device.facts().name);
+    if (announce)
+        announce(fmt::format("measuring which tree suits {} (once)...", device.facts().name));
     const BvhLayout layout = fastest_layout(measure_layouts(programs));
     memory.remember(device.facts(), layout);
     return layout;

@@ -4,6 +4,7 @@
 #include "upload/ray_query.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 namespace onde {
@@ -40,7 +41,10 @@ class LayoutMemory {
 /// is the fastest by far, the compressed one for others.
 BvhLayout known_layout(const gpu::DeviceFacts& facts, const LayoutMemory& memory = LayoutMemory());
 
-/// The same, but a device that is not a CPU and not known yet is measured, which takes seconds.
-BvhLayout suitable_layout(gpu::Programs& programs, const LayoutMemory& memory = LayoutMemory());
+/// The same, but a device that is not a CPU and not known yet is measured, which takes seconds;
+/// `announce` is told so before.
+BvhLayout suitable_layout(gpu::Programs& programs,
+                          const std::function<void(const std::string&)>& announce = {},
+                          const LayoutMemory& memory = LayoutMemory());
 
 } // namespace onde

@@ -54,15 +54,24 @@ std::vector<gpu::BufferSize> PackedScene::device_buffers() const {
     return sizes;
 }
 
-PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
-    FlatGeometry flat = flatten_geometry(scene);
-    PackedScene packed;
+static void build_tree(PackedScene& packed, const FlatGeometry& flat, const BvhOptions& options) {
     packed.bvh = build_bvh(flat.geometries, flat.placements, options);
+    packed.built_cost = packed.bvh.statistics.sah_cost;
     compact_bvh(packed.bvh, options.layout);
+}
+
+static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry flat) {
     LightList lights = build_lights(scene, flat);
     packed.lights = std::move(lights.records);
     packed.environment_light = lights.environment;
     packed.surfaces = std::move(flat.surfaces);
+}
+
+PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
+    PackedScene packed;
+    FlatGeometry flat = flatten_geometry(scene);
+    build_tree(packed, flat, options);
+    pack_geometry(packed, scene, std::move(flat));
     packed.materials = pack_materials(scene);
     PackedTextures textures = pack_textures(scene);
     packed.textures = std::move(textures.records);
@@ -77,6 +86,26 @@ PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
     packed.environment_rotation = scene.environment.rotation;
     packed.features = find_features(scene, packed);
     return packed;
+}
+
+/// Whether the tree was fitted to geometry that has moved, and is still good.
+static bool refit_tree(PackedScene& packed, const FlatGeometry& flat, const BvhOptions& options) {
+    if (packed.bvh.layout != BvhLayout::wide) return false;
+    refit_bvh(packed.bvh, flat.geometries, flat.placements, options);
+    return packed.bvh.statistics.sah_cost <= MOST_REFIT_COST * packed.built_cost;
+}
+
+void repack_scene(PackedScene& packed, const Scene& scene, SceneChange change,
+                  const BvhOptions& options) {
+    if (change >= SceneChange::transforms) {
+        FlatGeometry flat = flatten_geometry(scene);
+        const bool same_primitives = change == SceneChange::transforms;
+        if (!same_primitives || !refit_tree(packed, flat, options))
+            build_tree(packed, flat, options);
+        pack_geometry(packed, scene, std::move(flat));
+    }
+    packed.materials = pack_materials(scene);
+    packed.features = find_features(scene, packed);
 }
 
 } // namespace onde

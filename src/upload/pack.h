@@ -34,6 +34,7 @@ struct SceneArrays {
 
 struct PackedScene : SceneArrays {
     Bvh bvh;
+    double built_cost = 0; ///< SAH cost of the tree before it was fitted to anything else
     uint32_t environment_light = NO_INDEX; ///< index into the lights
     glm::vec3 environment_radiance{0.0f};  ///< scale of the map, where there is one
     float environment_rotation = 0.0f;     ///< radians
@@ -48,5 +49,21 @@ struct PackedScene : SceneArrays {
 
 /// The scene must satisfy check_scene().
 PackedScene pack_scene(const Scene& scene, const BvhOptions& options = {});
+
+/// What of a scene has changed since it was packed; each includes those before it.
+enum class SceneChange {
+    none,
+    materials,  ///< but not what they emit
+    transforms, ///< of instances and shapes
+    lights,     ///< what materials emit, which decides what is baked
+};
+
+/// Packs what has changed anew: the same, but for the tree's shape, as pack_scene() of the scene
+/// as it is now. Where only transforms have changed, the tree is fitted to them as long as that
+/// makes it no more than MOST_REFIT_COST times as costly as it was built. `options` are those that
+/// it was packed with.
+void repack_scene(PackedScene& packed, const Scene& scene, SceneChange change,
+                  const BvhOptions& options = {});
+inline constexpr double MOST_REFIT_COST = 1.5;
 
 } // namespace onde

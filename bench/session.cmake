@@ -1,0 +1,2 @@
+add_executable(onde_bench_session ${CMAKE_CURRENT_LIST_DIR}/session.cpp)
+target_link_libraries(onde_bench_session PRIVATE onde_session onde_bench_shared)

@@ -1,0 +1,88 @@
+#include "session/choices.h"
+
+#include "core/error.h"
+#include "render/frame.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace onde {
+namespace {
+
+/// Samples of a render that is limited by its time alone.
+constexpr uint32_t ENDLESS = 1u << 20;
+
+uint32_t find_camera(const std::string& name, const Scene& scene) {
+    if (name.empty()) return 0;
+    std::vector<std::string> names;
+    for (uint32_t i = 0; i < scene.cameras.size(); i++) {
+        if (scene.cameras[i].name == name || std::to_string(i) == name) return i;
+        names.push_back(fmt::format("{} \"{}\"", i, scene.cameras[i].name));
+    }
+    throw InputError("--camera {}: no such camera; the scene has {}", name, fmt::join(names, ", "));
+}
+
+/// The depth that is chosen, or the scene's as far as an integrator that it does not ask for takes
+/// it.
+void resolve_depth(const RenderChoices& choices, const RenderSettings& own,
+                   ResolvedOptions& resolved) {
+    RenderOptions& options = resolved.options;
+    options.depth = choices.depth.value_or(own.depth.value_or(options.depth));
+    const uint32_t most = most_depth(options.integrator);
+    const bool is_own = options.integrator == own.integrator.value_or(IntegratorKind::path);
+    if (choices.depth || is_own || options.depth <= most) return;
+    resolved.notes.push_back(
+        fmt::format("the scene's depth of {} was cut to {}, the most that --integrator {} takes",
+                    options.depth, most, word_of(options.integrator)));
+    options.depth = most;
+}
+
+/// Waves are rounded up to whole chunks.
+void resolve_settings(const RenderChoices& choices, gpu::DeviceSettings& settings) {
+    settings.width = choices.lanes.value_or(settings.width);
+    settings.queue = choices.queue.value_or(settings.queue);
+    if (settings.queue == gpu::QueueKind::global) settings.launch = gpu::Launch::staged;
+    settings.launch = choices.launch.value_or(settings.launch);
+    settings.primary_packets = choices.packets.value_or(settings.primary_packets);
+    if (choices.interleave) settings.interleave_above = *choices.interleave ? 0 : UINT64_MAX;
+    settings.chunk = choices.chunk.value_or(std::max(settings.chunk, settings.width));
+    settings.wave_size = choices.wave_size.value_or(settings.wave_size);
+    if (settings.chunk == 0) return;
+    const uint64_t chunks = (uint64_t(settings.wave_size) + settings.chunk - 1) / settings.chunk;
+    settings.wave_size = uint32_t(std::min<uint64_t>(chunks * settings.chunk, UINT32_MAX));
+}
+
+uint32_t resolve_samples(const RenderChoices& choices, const RenderSettings& own,
+                         uint32_t by_default) {
+    if (choices.samples) return *choices.samples;
+    return choices.seconds ? ENDLESS : own.samples.value_or(by_default);
+}
+
+} // namespace
+
+ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene,
+                                const gpu::DeviceFacts& facts) {
+    const RenderSettings& own = scene.settings;
+    ResolvedOptions resolved;
+    RenderOptions& options = resolved.options;
+    options.width = choices.width.value_or(own.width.value_or(options.width));
+    options.height = choices.height.value_or(own.height.value_or(options.height));
+    options.seconds = choices.seconds.value_or(0);
+    options.samples = resolve_samples(choices, own, options.samples);
+    options.seed = choices.seed.value_or(own.seed.value_or(options.seed));
+    options.filter = choices.filter.value_or(own.filter.value_or(options.filter));
+    options.camera = find_camera(choices.camera, scene);
+    if (!scene.cameras.empty())
+        check_screen(scene.cameras[options.camera], options.width, options.height);
+    options.integrator = choices.integrator.value_or(own.integrator.value_or(options.integrator));
+    resolve_depth(choices, own, resolved);
+    options.tree_slots = choices.tree_slots.value_or(options.tree_slots);
+    options.engine = choices.engine.value_or(options.engine);
+    options.settings = gpu::default_settings(facts);
+    resolve_settings(choices, options.settings);
+    check_options(options);
+    return resolved;
+}
+
+} // namespace onde

@@ -1,0 +1,36 @@
+// What a user asks of a render: what is absent follows from the scene, then from the device.
+#pragma once
+
+#include "accel/bvh.h"
+#include "render/options.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace onde {
+
+struct RenderChoices {
+    std::optional<uint32_t> width, height; ///< pixels
+    std::optional<uint32_t> samples, depth, seed;
+    std::optional<double> seconds;
+    std::optional<IntegratorKind> integrator;
+    std::optional<Filter> filter;
+    std::string camera; ///< of the scene, by name or number; empty: the first
+    std::optional<Engine> engine;
+    std::optional<gpu::Launch> launch;
+    std::optional<gpu::QueueKind> queue;
+    std::optional<bool> packets, interleave;
+    std::optional<uint32_t> lanes, wave_size, chunk, tree_slots;
+};
+
+struct ResolvedOptions {
+    RenderOptions options;
+    std::vector<std::string> notes; ///< what was chosen otherwise than asked, a sentence each
+};
+
+/// The choices over the scene's own settings over the device's. Throws InputError.
+ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene,
+                                const gpu::DeviceFacts& facts);
+
+} // namespace onde

@@ -1,0 +1,238 @@
+#include "session/session.h"
+
+#include "core/error.h"
+#include "core/timer.h"
+#include "render/frame.h"
+#include "scene/check.h"
+#include "scene/load.h"
+#include "scene/mapping.h"
+#include "session/integrators.h"
+#include "upload/layout_choice.h"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+namespace onde {
+namespace {
+
+/// Whether two materials make the same lights of the surfaces that have them.
+bool same_light(const Material& a, const Material& b) {
+    return a.emission == b.emission && a.emission_texture == b.emission_texture &&
+           a.two_sided == b.two_sided;
+}
+
+/// Whether a film of the one is a beginning of a film of the other.
+bool same_but_for_length(RenderOptions a, const RenderOptions& b) {
+    if (a.integrator == IntegratorKind::light && a.samples != b.samples) return false; // its scale
+    a.samples = b.samples;
+    a.seconds = b.seconds;
+    return a == b;
+}
+
+template <class T>
+T& find(std::vector<T>& things, size_t index, const char* kind) {
+    if (index < things.size()) return things[index];
+    throw InputError("there is no {} {}; the scene has {}", kind, index, things.size());
+}
+
+} // namespace
+
+Session::Session(gpu::Programs& programs, Scene scene, SessionOptions options)
+    : programs_(programs), scene_(std::move(scene)), options_(std::move(options)) {
+    check_options(options_.render);
+    check_screen(camera(), options_.render.width, options_.render.height);
+    for (const std::string& sentence : scene_.notes) note(sentence);
+    note_mapping();
+    fit_waves({}); // what does not fit at all is found before the scene is packed
+    if (options_.choose_layout)
+        options_.bvh.layout =
+            suitable_layout(programs_, [&](std::string sentence) { note(std::move(sentence)); });
+    const Timer timer;
+    PackedScene packed = pack_scene(scene_, options_.bvh);
+    pack_seconds_ = timer.seconds();
+    packed.features = features_of(packed);
+    fit_waves(packed.device_buffers());
+    placed_ = std::make_unique<DeviceScene>(device(), std::move(packed));
+}
+
+Session::~Session() = default;
+
+void Session::note(std::string sentence) {
+    if (options_.on_note) options_.on_note(sentence);
+    notes_.push_back(std::move(sentence));
+}
+
+void Session::note_mapping() {
+    for (std::string& sentence : mapping_notes(scene_, options_.render.integrator))
+        note(std::move(sentence));
+}
+
+SceneFeatures Session::features_of(const PackedScene& packed) const {
+    SceneFeatures features = options_.features.value_or(packed.features);
+    features.layout = packed.features.layout;
+    return features;
+}
+
+bool Session::halve_waves() {
+    gpu::DeviceSettings& settings = options_.render.settings;
+    const uint32_t half = settings.wave_size / 2 / settings.chunk * settings.chunk;
+    if (half == 0) return false;
+    settings.wave_size = half;
+    return true;
+}
+
+void Session::fit_waves(const std::vector<gpu::BufferSize>& scene) {
+    const uint32_t asked = options_.render.settings.wave_size;
+    const auto plan = [&] {
+        MemoryPlan all = plan_memory(scene_, options_.render, device().facts());
+        all.add_scene(scene);
+        return all;
+    };
+    MemoryPlan fitted = plan();
+    while (!fits(fitted, device().facts()) && !fitted.paths.empty() && halve_waves())
+        fitted = plan();
+    check_memory(fitted, device().facts());
+    note_waves(asked);
+}
+
+void Session::note_waves(uint32_t asked) {
+    const uint32_t taken = options_.render.settings.wave_size;
+    if (taken != asked)
+        note(fmt::format("waves of {} paths do not fit the memory of {}; they have {} paths now",
+                         asked, device().facts().name, taken));
+}
+
+const PackedScene& Session::packed() {
+    update();
+    return placed_->packed();
+}
+
+MemoryPlan Session::memory_plan() {
+    MemoryPlan plan = plan_memory(scene_, options_.render, device().facts());
+    plan.add_scene(packed().device_buffers());
+    return plan;
+}
+
+void Session::update() {
+    if (change_ == SceneChange::none) return;
+    const Timer timer;
+    placed_->update(device(), scene_, change_, options_.bvh);
+    placed_->set_features(features_of(placed_->packed()));
+    pack_seconds_ = timer.seconds();
+    change_ = SceneChange::none;
+}
+
+IntegratorContext Session::context() {
+    update();
+    return {programs_, &scene_,         *placed_,
+            camera(),  options_.render, options_.timed ? &profiler_ : nullptr};
+}
+
+const gpu::BuildReport& Session::prepare() {
+    const uint32_t asked = options_.render.settings.wave_size;
+    while (!integrator_) try {
+            integrator_ = make_integrator(context());
+        } catch (const gpu::OutOfMemory&) { // the device refused what its facts allow
+            if (!halve_waves()) throw;
+        }
+    note_waves(asked);
+    return integrator_->build_report();
+}
+
+RenderOutcome Session::render(const std::function<bool(const Progress&)>& keep_going) {
+    prepare();
+    std::atomic<bool> stop{false};
+    return onde::render(*integrator_, options_.render, stop, [&](const Progress& progress) {
+        if (keep_going && !keep_going(progress)) stop = true;
+    });
+}
+
+Film& Session::film() {
+    prepare();
+    return integrator_->film();
+}
+
+RayCounts Session::ray_counts() {
+    prepare();
+    return integrator_->ray_counts();
+}
+
+std::vector<std::string> Session::findings() {
+    prepare();
+    return integrator_->findings();
+}
+
+SampleReport Session::inspect(const PixelSample& at) {
+    switch (options_.render.integrator) {
+    case IntegratorKind::path:
+        return inspect_path(context(), at);
+    case IntegratorKind::whitted:
+        return inspect_whitted(context(), at);
+    default:
+        throw InputError("a sample can be followed by --integrator path or whitted only, not by {}",
+                         word_of(options_.render.integrator));
+    }
+}
+
+TraversalCost Session::traversal_cost() {
+    return measure_traversal_cost(context());
+}
+
+void Session::set_options(const RenderOptions& options) {
+    check_options(options);
+    if (options.camera >= scene_.cameras.size())
+        throw InputError("there is no camera {}; the scene has {}", options.camera,
+                         scene_.cameras.size());
+    check_screen(scene_.cameras[options.camera], options.width, options.height);
+    const RenderOptions before = std::exchange(options_.render, options);
+    if (same_but_for_length(before, options)) return;
+    try {
+        fit_waves(packed().device_buffers());
+    } catch (...) {
+        options_.render = before;
+        throw;
+    }
+    integrator_.reset();
+    if (options.integrator != before.integrator) note_mapping();
+}
+
+void Session::set_camera(const Camera& value) {
+    check_camera(value, options_.render.camera);
+    check_screen(value, options_.render.width, options_.render.height);
+    scene_.cameras[options_.render.camera] = value;
+    integrator_.reset();
+}
+
+void Session::set_material(size_t index, const Material& value) {
+    Material& material = find(scene_.materials, index, "material");
+    const Material before = std::exchange(material, value);
+    try {
+        check_material(scene_, index);
+    } catch (...) {
+        material = before;
+        throw;
+    }
+    changed(same_light(before, value) ? SceneChange::materials : SceneChange::lights);
+}
+
+void Session::set_instance_transform(size_t index, const glm::mat4& object_to_world) {
+    Instance& instance = find(scene_.instances, index, "instance");
+    check_transform(object_to_world, "instance", index);
+    instance.object_to_world = object_to_world;
+    changed(SceneChange::transforms);
+}
+
+void Session::set_shape_transform(size_t index, const glm::mat4& object_to_world) {
+    Shape& shape = find(scene_.shapes, index, "shape");
+    check_transform(object_to_world, "shape", index);
+    shape.object_to_world = object_to_world;
+    changed(SceneChange::transforms);
+}
+
+void Session::changed(SceneChange change) {
+    change_ = std::max(change_, change);
+    integrator_.reset();
+}
+
+} // namespace onde

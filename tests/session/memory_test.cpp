@@ -1,0 +1,69 @@
+// The plan of a session's memory is what is allocated, and waves that do not fit are halved.
+#include "core/error.h"
+#include "session/small_session.h"
+
+namespace onde::test {
+namespace {
+
+/// The tests' device as if it had less memory.
+struct SmallDevice {
+    gpu::Device device;
+    gpu::Programs programs;
+
+    explicit SmallDevice(uint64_t largest_buffer)
+        : device(test::device().raw(), with(largest_buffer)),
+          programs(device, kernel_sources(), test_cache()) {}
+
+    static gpu::DeviceFacts with(uint64_t largest_buffer) {
+        gpu::DeviceFacts facts = test::device().facts();
+        facts.max_allocation = largest_buffer;
+        return facts;
+    }
+};
+
+} // namespace
+
+TEST_CASE("the memory plan is what is allocated, by every integrator and engine") {
+    std::vector<SessionOptions> all;
+    for (const IntegratorKind integrator : ALL_INTEGRATORS)
+        all.push_back(small_session(integrator));
+    for (const IntegratorKind integrator : {IntegratorKind::path, IntegratorKind::whitted}) {
+        all.push_back(small_session(integrator));
+        all.back().render.engine = Engine::megakernel;
+        all.push_back(small_session(integrator));
+        all.back().render.settings.launch = gpu::Launch::staged;
+    }
+    for (const SessionOptions& options : all) {
+        INFO(word_of(options.render.integrator) << ", " << word_of(options.render.engine) << ", "
+                                                << word_of(options.render.settings.launch));
+        Session(programs(), varied_scene(), options).prepare(); // warming allocates, too
+        const uint64_t before = device().allocated_bytes();
+        Session session(programs(), varied_scene(), options);
+        session.prepare();
+        CHECK(session.memory_plan().bytes() == device().allocated_bytes() - before);
+    }
+}
+
+TEST_CASE("waves that do not fit are halved, with a note, and make the same picture") {
+    SessionOptions options = small_session();
+    options.render.settings.wave_size = 1u << 18;
+    const std::vector<float> expected = fresh_picture(varied_scene(), options);
+    SmallDevice small(4u << 20);
+    Session session(small.programs, varied_scene(), options);
+    CHECK(session.options().settings.wave_size < 1u << 18);
+    CHECK(session.options().settings.wave_size >= 1u << 14);
+    REQUIRE_FALSE(session.notes().empty());
+    CHECK_THAT(session.notes().back(), Catch::Contains("waves of 262144 paths do not fit"));
+    CHECK(rendered(session) == expected);
+}
+
+TEST_CASE("a picture that does not fit is refused, whatever the waves") {
+    SessionOptions options = small_session();
+    options.render.width = options.render.height = 1024;
+    SmallDevice small(4u << 20);
+    CHECK_THROWS_AS(Session(small.programs, varied_scene(), options), DeviceError);
+    CHECK_THROWS_WITH(Session(small.programs, varied_scene(), options),
+                      Catch::Contains("use a smaller --size"));
+}
+
+} // namespace onde::test

@@ -1,0 +1,93 @@
+// Sessions render, stop, continue and say what they have to say.
+#include "core/error.h"
+#include "session/machine.h"
+#include "session/small_session.h"
+
+namespace onde::test {
+
+TEST_CASE("a render that goes on to more samples is the render that had them at once") {
+    for (const IntegratorKind integrator : ALL_INTEGRATORS) {
+        INFO(word_of(integrator));
+        Session session(programs(), varied_scene(), small_session(integrator, 6));
+        for (const uint32_t samples : {6u, 70u}) {
+            RenderOptions options = session.options();
+            options.samples = samples;
+            session.set_options(options);
+            CHECK(session.render().samples == samples);
+        }
+        CHECK(session.picture().pixels ==
+              fresh_picture(varied_scene(), small_session(integrator, 70)));
+    }
+}
+
+TEST_CASE("a render that is stopped goes on where it was") {
+    SessionOptions options = small_session(IntegratorKind::path, 5);
+    options.render.settings.wave_size = options.render.settings.chunk;
+    Session session(programs(), varied_scene(), options);
+    const RenderOutcome stopped = session.render([](const Progress&) { return false; });
+    CHECK(stopped.interrupted);
+    CHECK(stopped.samples < 5);
+    const RenderOutcome ended = session.render();
+    CHECK_FALSE(ended.interrupted);
+    CHECK(ended.samples == 5);
+    CHECK(session.picture().pixels == fresh_picture(varied_scene(), options));
+}
+
+TEST_CASE("a finished render has nothing left to do") {
+    Session session(programs(), varied_scene(), small_session());
+    session.render();
+    const uint64_t rays = session.ray_counts().total();
+    CHECK(rays > 0);
+    CHECK(session.render().samples == 2);
+    CHECK(session.ray_counts().total() == rays);
+}
+
+TEST_CASE("a session follows a sample of its picture") {
+    for (const IntegratorKind integrator : {IntegratorKind::path, IntegratorKind::whitted}) {
+        Session session(programs(), varied_scene(), small_session(integrator, 1));
+        session.render();
+        const Image picture = session.picture();
+        const SampleReport report = session.inspect({20, 15, 0});
+        for (uint32_t k = 0; k < 3; k++) {
+            const auto* path = std::get_if<PathReport>(&report);
+            const float value =
+                path ? path->radiance[k] : std::get<TreeReport>(report).nodes[0].returned[k];
+            CHECK(value == picture.pixel(20, 15)[k]);
+        }
+    }
+    Session session(programs(), varied_scene(), small_session(IntegratorKind::painter));
+    CHECK_THROWS_WITH(session.inspect({0, 0, 0}), Catch::Contains("not by painter"));
+}
+
+TEST_CASE("notes of the scene and of what the integrator makes of it are told as they arise") {
+    Scene scene = varied_scene();
+    scene.notes = {"a note of the loader"};
+    SessionOptions options = small_session(IntegratorKind::whitted);
+    std::vector<std::string> told;
+    options.on_note = [&](const std::string& note) { told.push_back(note); };
+    Session session(programs(), scene, options);
+    REQUIRE(session.notes().size() >= 2);
+    CHECK(session.notes().front() == "a note of the loader");
+    CHECK(told == session.notes());
+    const size_t before = told.size();
+    RenderOptions painted = session.options();
+    painted.integrator = IntegratorKind::light;
+    session.set_options(painted);
+    CHECK(told == session.notes());
+    CHECK(session.options().integrator == IntegratorKind::light);
+    CHECK(told.size() >= before);
+}
+
+TEST_CASE("kernels are timed where that is asked for") {
+    Machine machine({}, kernel_sources(), test_cache(), gpu::Profiling::on);
+    SessionOptions options = small_session();
+    Session untimed(machine.programs, varied_scene(), options);
+    untimed.render();
+    CHECK(untimed.kernel_times().empty());
+    options.timed = true;
+    Session timed(machine.programs, varied_scene(), options);
+    timed.render();
+    CHECK_FALSE(timed.kernel_times().empty());
+}
+
+} // namespace onde::test

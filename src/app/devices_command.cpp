@@ -3,6 +3,7 @@
 #include "app/json.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "session/machine.h"
 #include "upload/layout_choice.h"
 
 #include <fmt/format.h>
@@ -105,9 +106,9 @@ struct DevicesRequest {
 
 void measure(const DevicesRequest& request) {
     set_up_logging(false);
-    const gpu::Device device = gpu::open_device(request.device);
-    gpu::Programs programs(device, gpu::KernelSources::embedded(), gpu::ProgramCache());
-    const auto rates = measure_layouts(programs);
+    Machine machine(request.device);
+    const gpu::Device& device = machine.device;
+    const auto rates = measure_layouts(machine.programs);
     LayoutMemory().remember(device.facts(), fastest_layout(rates));
     if (request.json)
         fmt::print("{}", json_text(rates_json(device.facts(), rates)));

@@ -73,17 +73,15 @@ void write_page(const fs::path& page, const std::vector<GalleryWork>& works,
 bool run(const GalleryRequest& request) {
     set_up_logging(false);
     check_request(request.render);
-    gpu::KernelSources sources = request.render.machine.sources();
-    const gpu::Device device = gpu::open_device(request.render.machine.device);
-    gpu::Programs programs(device, std::move(sources), request.render.machine.cache());
+    Machine machine = open_machine(request.render.machine);
     std::vector<GalleryWork> works;
     for (const fs::path& file : scene_files(request.scenes))
-        works.push_back(load_work(file, request.render.samples, device.facts()));
+        works.push_back(load_work(file, request.render.choices.samples, machine.device.facts()));
     check_names(works);
     open_folder(request.folder);
 
     const StopOnInterrupt interrupt;
-    const GalleryStudio studio{programs, interrupt.requested()};
+    const GalleryStudio studio{machine.programs, interrupt.requested()};
     size_t done = 0;
     for (; done < works.size(); ++done) {
         GalleryWork& work = works[done];
@@ -95,7 +93,7 @@ bool run(const GalleryRequest& request) {
     if (works.empty()) return interrupted; // an earlier page stays as it is
     const size_t missed = measure(works);
     const fs::path page = request.folder / "index.html";
-    write_page(page, works, device.facts().name);
+    write_page(page, works, machine.device.facts().name);
     if (missed > 0 && !interrupted)
         throw InputError(
             "{} of the numbers that the scenes state were not found in their pictures; "
@@ -116,8 +114,8 @@ void add_gallery_command(Command& root, bool& interrupted) {
                    {.value = "SCENE"});
     command.option("-o,--output", &request->folder, "Folder for index.html and pictures (gallery)",
                    {.value = "DIR"});
-    command.option("--spp", &request->render.samples, "Samples per pixel (each scene's own)",
-                   {.value = "N"});
+    command.option("--spp", &request->render.choices.samples,
+                   "Samples per pixel (each scene's own)", {.value = "N"});
     declare_machine(command, request->render.machine);
     command.on_run([request, &interrupted] { interrupted = run(*request); });
 }

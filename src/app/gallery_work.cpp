@@ -2,15 +2,15 @@
 
 #include "app/inspect_report.h"
 #include "app/progress_line.h"
-#include "app/render_request.h"
 
 #include "core/error.h"
 #include "core/log.h"
+#include "image/image_io.h"
 #include "render/memory_plan.h"
 #include "scene/load.h"
-#include "scene/mapping.h"
+#include "session/choices.h"
 #include "session/integrators.h"
-#include "upload/device_scene.h"
+#include "session/session.h"
 
 namespace onde::app {
 namespace {
@@ -24,14 +24,10 @@ fs::path shown_path(const fs::path& file) {
     return file.lexically_relative(chapter.parent_path().parent_path());
 }
 
-std::string replay(const IntegratorContext& context, glm::uvec2 pixel) {
-    const PixelSample at{pixel.x, pixel.y, 0};
-    const PackedScene& packed = context.scene.packed();
-    const Scene& scene = *context.description;
-    const std::string words = context.options.integrator == IntegratorKind::whitted
-                                  ? tree_text(inspect_whitted(context, at), scene, packed)
-                                  : path_text(inspect_path(context, at), scene, packed);
-    return fmt::format("sample 0 of pixel {},{}\n{}", pixel.x, pixel.y, words);
+std::string replay(Session& session, glm::uvec2 pixel) {
+    const SampleReport report = session.inspect({pixel.x, pixel.y, 0});
+    return fmt::format("sample 0 of pixel {},{}\n{}", pixel.x, pixel.y,
+                       sample_text(report, session.scene(), session.packed()));
 }
 
 bool can_replay(const RenderOptions& options) {
@@ -50,17 +46,16 @@ std::string facts_text(const RenderOptions& options, const RenderOutcome& outcom
 GalleryWork load_work(const fs::path& file, std::optional<uint32_t> samples,
                       const gpu::DeviceFacts& facts) {
     GalleryWork work{file, load_scene(file), {}, {}, {}};
-    RenderRequest request;
-    request.samples = samples;
-    work.options = resolve_options(request, work.scene, facts);
+    RenderChoices choices;
+    choices.samples = samples;
+    const ResolvedOptions resolved = resolve_options(choices, work.scene, facts);
+    work.options = resolved.options;
+    work.scene.notes.insert(work.scene.notes.end(), resolved.notes.begin(), resolved.notes.end());
     check_memory(plan_memory(work.scene, work.options, facts), facts);
     GalleryEntry& entry = work.entry;
     entry.name = file.stem().string();
     entry.picture = entry.name + ".png";
     entry.command = fmt::format("./run render {}", shown_path(file).string());
-    entry.findings = work.scene.notes;
-    for (const std::string& note : mapping_notes(work.scene, work.options.integrator))
-        entry.findings.push_back(note);
     entry.lesson = work.scene.lesson.value_or(Lesson{});
     if (entry.lesson.title.empty()) entry.lesson.title = entry.name;
     try {
@@ -72,25 +67,24 @@ GalleryWork load_work(const fs::path& file, std::optional<uint32_t> samples,
 }
 
 bool paint(GalleryWork& work, const GalleryStudio& studio, const fs::path& folder) {
-    const BvhOptions tree = resolve_bvh({}, studio.programs);
-    const DeviceScene placed(studio.programs.device(), pack_scene(work.scene, tree));
-    const IntegratorContext context{studio.programs, &work.scene, placed,
-                                    work.scene.cameras.at(work.options.camera), work.options};
-    const auto integrator = make_integrator(context);
+    Session session(studio.programs, std::move(work.scene), {.render = work.options});
     ProgressLine line(false);
-    const RenderOutcome outcome = render(*integrator, work.options, studio.stop,
-                                         [&](const Progress& progress) { line.show(progress); });
+    const RenderOutcome outcome = session.render([&](const Progress& progress) {
+        line.show(progress);
+        return !studio.stop;
+    });
     line.finish();
     if (outcome.interrupted) return false;
-    work.picture = integrator->film().develop();
-    for (const std::string& finding : integrator->findings())
-        work.entry.findings.push_back(finding);
-    work.entry.facts = facts_text(work.options, outcome);
-    if (work.entry.lesson.inspect && can_replay(work.options))
-        work.entry.replay = replay(context, *work.entry.lesson.inspect);
+    work.picture = session.picture();
+    for (const auto& sentences : {session.notes(), session.findings()})
+        work.entry.findings.insert(work.entry.findings.end(), sentences.begin(), sentences.end());
+    work.entry.facts = facts_text(session.options(), outcome);
+    if (work.entry.lesson.inspect && can_replay(session.options()))
+        work.entry.replay = replay(session, *work.entry.lesson.inspect);
+    const Scene& scene = session.scene();
     write_png(folder / work.entry.picture, work.picture,
-              {work.scene.settings.exposure.value_or(0.0f), ToneMap::none},
-              {{"onde:scene_hash", scene_hash(work.scene)}, {"Software", "Onde " ONDE_VERSION}});
+              {scene.settings.exposure.value_or(0.0f), ToneMap::none},
+              {{"onde:scene_hash", scene_hash(scene)}, {"Software", "Onde " ONDE_VERSION}});
     return true;
 }
 

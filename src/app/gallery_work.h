@@ -13,7 +13,7 @@ namespace onde::app {
 
 struct GalleryWork {
     std::filesystem::path file;
-    Scene scene;
+    Scene scene; ///< until it is painted
     RenderOptions options;
     Image picture;      ///< linear; empty until it is painted
     GalleryEntry entry; ///< without picture facts and checks until there are some

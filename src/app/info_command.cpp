@@ -1,10 +1,11 @@
 #include "app/info_command.h"
 
 #include "app/json.h"
-#include "app/render_request.h"
+#include "core/command_line.h"
 #include "gpu/device.h"
 #include "render/memory_plan.h"
 #include "scene/load.h"
+#include "session/choices.h"
 #include "session/integrators.h"
 #include "upload/layout_choice.h"
 
@@ -95,7 +96,7 @@ gpu::DeviceFacts default_device() {
 
 DeviceMemory plan_device_memory(const Scene& scene) {
     const gpu::DeviceFacts facts = default_device();
-    DeviceMemory memory{facts.name, resolve_options({}, scene, facts), {}};
+    DeviceMemory memory{facts.name, resolve_options({}, scene, facts).options, {}};
     memory.plan = plan_memory(scene, memory.options, facts);
     memory.plan.add_scene(pack_scene(scene, {.layout = known_layout(facts)}).device_buffers());
     return memory;

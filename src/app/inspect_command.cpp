@@ -6,7 +6,6 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
-#include "upload/device_scene.h"
 
 #include <memory>
 
@@ -31,35 +30,17 @@ PixelSample parse_pixel(const InspectRequest& request) {
 }
 
 void run(const InspectRequest& request) {
-    set_up_logging(request.render.quiet);
+    set_up_logging(true); // the sample alone is wanted
     check_request(request.render);
     const PixelSample at = parse_pixel(request);
     if (!request.dot.empty()) check_writable(request.dot);
-    gpu::KernelSources sources = request.render.machine.sources();
-    const gpu::Device device = gpu::open_device(request.render.machine.device);
-    gpu::Programs programs(device, std::move(sources), request.render.machine.cache());
-    const Scene scene = load_requested_scene(request.render);
-    const RenderOptions options = resolve_options(request.render, scene, device.facts());
-    const BvhOptions tree = resolve_bvh(request.render, programs);
-    const DeviceScene placed(device, pack_scene(scene, tree));
-    const IntegratorContext context{programs, &scene, placed, scene.cameras.at(options.camera),
-                                    options};
-    std::string words, dot;
-    if (options.integrator == IntegratorKind::whitted) {
-        const TreeReport report = inspect_whitted(context, at);
-        words = tree_text(report, scene, placed.packed());
-        dot = tree_dot(report, scene);
-    } else if (options.integrator == IntegratorKind::path) {
-        const PathReport report = inspect_path(context, at);
-        words = path_text(report, scene, placed.packed());
-        dot = path_dot(report, scene);
-    } else {
-        throw InputError(
-            "inspect follows --integrator path or whitted; this scene asks for another");
-    }
-    fmt::print("pixel {},{} of {}x{}, sample {}\n{}", at.x, at.y, options.width, options.height,
-               at.sample, words);
-    if (!request.dot.empty()) write_text(request.dot, dot);
+    Machine machine = open_machine(request.render.machine);
+    Session session = open_session(machine, load_requested_scene(request.render), request.render);
+    const SampleReport report = session.inspect(at);
+    fmt::print("pixel {},{} of {}x{}, sample {}\n{}", at.x, at.y, session.options().width,
+               session.options().height, at.sample,
+               sample_text(report, session.scene(), session.packed()));
+    if (!request.dot.empty()) write_text(request.dot, sample_dot(report, session.scene()));
 }
 
 } // namespace

@@ -127,13 +127,11 @@ std::string light_text(const BounceReport& b) {
                        text(b.light_radiance));
 }
 
-} // namespace
-
-std::string tree_text(const TreeReport& report, const Scene& scene, const PackedScene& packed) {
+std::string text_of(const TreeReport& report, const Scene& scene, const PackedScene& packed) {
     return TreeWriter(report, scene, packed).write();
 }
 
-std::string tree_dot(const TreeReport& report, const Scene& scene) {
+std::string dot_of(const TreeReport& report, const Scene& scene) {
     std::string dot = "digraph tree {\n  node [shape=box];\n";
     for (uint32_t i = 0; i < report.nodes.size(); i++) {
         const NodeReport& node = report.nodes[i];
@@ -147,7 +145,7 @@ std::string tree_dot(const TreeReport& report, const Scene& scene) {
     return dot + "}\n";
 }
 
-std::string path_text(const PathReport& report, const Scene& scene, const PackedScene& packed) {
+std::string text_of(const PathReport& report, const Scene& scene, const PackedScene& packed) {
     std::string words;
     for (size_t i = 0; i < report.bounces.size(); i++) {
         const BounceReport& b = report.bounces[i];
@@ -166,7 +164,7 @@ std::string path_text(const PathReport& report, const Scene& scene, const Packed
     return words + fmt::format("radiance ({:.6g}, {:.6g}, {:.6g})\n", sum.x, sum.y, sum.z);
 }
 
-std::string path_dot(const PathReport& report, const Scene& scene) {
+std::string dot_of(const PathReport& report, const Scene& scene) {
     std::string dot = "digraph path {\n  node [shape=box];\n";
     for (size_t i = 0; i < report.bounces.size(); i++) {
         const BounceReport& b = report.bounces[i];
@@ -181,6 +179,16 @@ std::string path_dot(const PathReport& report, const Scene& scene) {
                                i, i, b.blocked ? "blocked" : text(b.light_radiance), i, b.light);
     }
     return dot + "}\n";
+}
+
+} // namespace
+
+std::string sample_text(const SampleReport& report, const Scene& scene, const PackedScene& packed) {
+    return std::visit([&](const auto& sample) { return text_of(sample, scene, packed); }, report);
+}
+
+std::string sample_dot(const SampleReport& report, const Scene& scene) {
+    return std::visit([&](const auto& sample) { return dot_of(sample, scene); }, report);
 }
 
 } // namespace onde::app

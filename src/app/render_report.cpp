@@ -25,81 +25,93 @@ std::string engine_name(const RenderOptions& options) {
     return fmt::format("{}, {}", engine, word_of(options.settings.launch));
 }
 
-void print_rays(const RenderReport& r) {
-    const double seconds = std::max(r.outcome.seconds, 1e-9);
-    const double paths = double(r.options.width) * r.options.height * r.outcome.samples;
+void print_rays(const RenderOptions& options, const RenderOutcome& outcome, const RayCounts& rays) {
+    const double seconds = std::max(outcome.seconds, 1e-9);
+    const double paths = double(options.width) * options.height * outcome.samples;
     fmt::print("rays      {:.1f} M closest-hit, {:.1f} M shadow; {:.2f} Mrays/s, {:.2f} per path\n",
-               mega(double(sum(r.rays.extension))), mega(double(sum(r.rays.shadow))),
-               mega(double(r.rays.total())) / seconds, double(r.rays.total()) / paths);
+               mega(double(sum(rays.extension))), mega(double(sum(rays.shadow))),
+               mega(double(rays.total())) / seconds, double(rays.total()) / paths);
 }
 
-void print_kernel_times(const RenderReport& r) {
-    for (const auto& [name, time] : r.kernel_times)
-        fmt::print("kernel    {:<12} {:8.3f} s in {} launches\n", name, time.seconds,
-                   time.launches);
+double mebi(const std::vector<gpu::BufferSize>& buffers) {
+    return double(gpu::total_bytes(buffers)) / 1048576;
 }
 
 } // namespace
 
-void print_report(const RenderReport& r) {
-    fmt::print("device    {} ({}, driver {})\n", r.device.name, r.device.platform,
-               r.device.driver_version);
-    fmt::print("engine    {}: {}\n", engine_name(r.options), gpu::describe(r.options.settings));
+void print_report(Session& session, const RenderReport& r) {
+    const gpu::DeviceFacts& device = session.device().facts();
+    const RenderOptions& options = session.options();
+    const Bvh& bvh = session.packed().bvh;
+    const gpu::BuildReport& kernels = session.prepare();
+    const MemoryPlan plan = session.memory_plan();
+    fmt::print("device    {} ({}, driver {})\n", device.name, device.platform,
+               device.driver_version);
+    fmt::print("engine    {}: {}\n", engine_name(options), gpu::describe(options.settings));
     fmt::print("scene     {} triangles, {} spheres, {} instances; loaded in {:.3f} s\n",
-               r.bvh.triangles, r.bvh.spheres, r.bvh.instances, r.load_seconds);
+               bvh.statistics.triangles, bvh.statistics.spheres, bvh.statistics.instances,
+               r.load_seconds);
     fmt::print("bvh       {}: {} nodes, {} leaf blocks, SAH cost {:.1f}; built in {:.3f} s "
                "({:.2f} Mtriangles/s)\n",
-               word_of(r.layout), r.bvh.nodes, r.bvh.blocks, r.bvh.sah_cost, r.bvh.build_seconds,
-               mega(r.bvh.triangles / std::max(r.bvh.build_seconds, 1e-9)));
+               word_of(bvh.layout), bvh.statistics.nodes, bvh.statistics.blocks,
+               bvh.statistics.sah_cost, bvh.statistics.build_seconds,
+               mega(bvh.statistics.triangles / std::max(bvh.statistics.build_seconds, 1e-9)));
     fmt::print("kernels   {} in {:.3f} s\n",
-               r.kernels.from_cache ? "loaded from the cache" : "compiled", r.kernels.seconds);
+               kernels.from_cache ? "loaded from the cache" : "compiled", kernels.seconds);
     fmt::print("memory    scene {:.1f} MiB, paths in flight {:.1f} MiB, film {:.1f} MiB\n",
-               double(r.scene_bytes) / 1048576, double(r.state_bytes) / 1048576,
-               double(r.film_bytes) / 1048576);
+               mebi(plan.scene), mebi(plan.paths), mebi(plan.film));
     fmt::print("render    {:.4g} samples per pixel in {:.3f} s\n", r.outcome.samples,
                r.outcome.seconds);
-    print_rays(r);
-    print_kernel_times(r);
+    print_rays(options, r.outcome, session.ray_counts());
+    for (const auto& [name, time] : session.kernel_times())
+        fmt::print("kernel    {:<12} {:8.3f} s in {} launches\n", name, time.seconds,
+                   time.launches);
     fmt::print("total     {:.3f} s\n", r.total_seconds);
 }
 
-void write_report(const RenderReport& r, const std::filesystem::path& path) {
+void write_report(Session& session, const RenderReport& r, const std::filesystem::path& path) {
+    const gpu::DeviceFacts& device = session.device().facts();
+    const RenderOptions& options = session.options();
+    const Bvh& bvh = session.packed().bvh;
+    const gpu::BuildReport& kernels = session.prepare();
+    const MemoryPlan plan = session.memory_plan();
+    const RayCounts rays = session.ray_counts();
     Json json = {
         {"scene", r.scene},
         {"scene_hash", r.scene_hash},
         {"version", ONDE_VERSION},
-        {"device", r.device.name},
-        {"platform", r.device.platform},
-        {"driver", r.device.driver_version},
-        {"engine", engine_name(r.options)},
-        {"settings", gpu::describe(r.options.settings)},
-        {"width", r.options.width},
-        {"height", r.options.height},
-        {"depth", r.options.depth},
-        {"seed", r.options.seed},
+        {"device", device.name},
+        {"platform", device.platform},
+        {"driver", device.driver_version},
+        {"engine", engine_name(options)},
+        {"settings", gpu::describe(options.settings)},
+        {"width", options.width},
+        {"height", options.height},
+        {"depth", options.depth},
+        {"seed", options.seed},
         {"samples", r.outcome.samples},
         {"interrupted", r.outcome.interrupted},
-        {"triangles", r.bvh.triangles},
-        {"spheres", r.bvh.spheres},
-        {"instances", r.bvh.instances},
-        {"layout", word_of(r.layout)},
+        {"triangles", bvh.statistics.triangles},
+        {"spheres", bvh.statistics.spheres},
+        {"instances", bvh.statistics.instances},
+        {"layout", word_of(bvh.layout)},
         {"load_seconds", r.load_seconds},
-        {"bvh_seconds", r.bvh.build_seconds},
-        {"pack_seconds", r.pack_seconds},
-        {"kernel_build_seconds", r.kernels.seconds},
-        {"kernels_from_cache", r.kernels.from_cache},
+        {"bvh_seconds", bvh.statistics.build_seconds},
+        {"pack_seconds", session.pack_seconds()},
+        {"kernel_build_seconds", kernels.seconds},
+        {"kernels_from_cache", kernels.from_cache},
         {"render_seconds", r.outcome.seconds},
         {"write_seconds", r.write_seconds},
         {"total_seconds", r.total_seconds},
-        {"scene_bytes", r.scene_bytes},
-        {"state_bytes", r.state_bytes},
-        {"film_bytes", r.film_bytes},
-        {"closest_hit_rays", r.rays.extension},
-        {"shadow_rays", r.rays.shadow},
-        {"mrays_per_second", mega(double(r.rays.total())) / std::max(r.outcome.seconds, 1e-9)},
-        {"invalid_samples", r.invalid.count},
+        {"scene_bytes", gpu::total_bytes(plan.scene)},
+        {"state_bytes", gpu::total_bytes(plan.paths)},
+        {"film_bytes", gpu::total_bytes(plan.film)},
+        {"closest_hit_rays", rays.extension},
+        {"shadow_rays", rays.shadow},
+        {"mrays_per_second", mega(double(rays.total())) / std::max(r.outcome.seconds, 1e-9)},
+        {"invalid_samples", session.film().find_invalid().count},
     };
-    for (const auto& [name, time] : r.kernel_times)
+    for (const auto& [name, time] : session.kernel_times())
         json["kernels"][name] = {{"seconds", time.seconds}, {"launches", time.launches}};
     write_text(path, json_text(json));
 }

@@ -4,9 +4,10 @@
 #include "core/command_line.h"
 
 #include "accel/bvh.h"
-#include "gpu/program.h"
 #include "image/image_io.h"
-#include "render/options.h"
+#include "session/choices.h"
+#include "session/machine.h"
+#include "session/session.h"
 
 #include <filesystem>
 #include <optional>
@@ -20,29 +21,17 @@ struct MachineRequest {
     std::string device;
     std::filesystem::path kernels; ///< empty: the ones inside the program
     bool no_cache = false;
-
-    gpu::KernelSources sources() const { return gpu::KernelSources::from(kernels); }
-    std::optional<gpu::ProgramCache> cache() const {
-        return no_cache ? std::nullopt : std::optional<gpu::ProgramCache>(std::in_place);
-    }
 };
 
 struct RenderRequest {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs;
     bool cost_aov = false;
-    std::string size;
-    std::optional<uint32_t> samples, depth, seed, wave_size, chunk, width, tree_slots;
-    std::optional<double> seconds;
-    std::optional<IntegratorKind> integrator;
-    std::optional<Engine> engine;
-    std::optional<gpu::Launch> launch;
-    std::optional<gpu::QueueKind> queue;
-    std::optional<bool> packets, turns;
-    std::optional<Filter> filter;
+    std::string size; ///< WIDTHxHEIGHT, or empty
+    RenderChoices choices;
     BvhOptions bvh;
     std::optional<BvhLayout> layout;
-    std::string camera, environment;
+    std::string environment;
     MachineRequest machine;
     float environment_rotation = 0.0f;
     std::optional<float> exposure;
@@ -66,12 +55,12 @@ Scene load_requested_scene(const RenderRequest& request);
 /// Throws InputError for values that are wrong whatever the scene is.
 void check_request(const RenderRequest& request);
 
-/// The request over the scene's own settings over the defaults. Throws InputError.
-RenderOptions resolve_options(const RenderRequest& request, const Scene& scene,
-                              const gpu::DeviceFacts& facts);
+/// Opens the device with the kernels that are asked for.
+Machine open_machine(const MachineRequest& request, gpu::Profiling profiling = gpu::Profiling::off);
 
-/// How the tree is built and laid out for the device, on which layouts may be measured first.
-BvhOptions resolve_bvh(const RenderRequest& request, gpu::Programs& programs);
+/// The scene of the request in a session of its own, whose notes are logged as they arise. Throws
+/// InputError and DeviceError.
+Session open_session(Machine& machine, Scene scene, const RenderRequest& request);
 
 /// Where a picture's companion of that name goes: out.png's "tests" to out.tests.png.
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name);

@@ -45,9 +45,7 @@ void check_size(const SphereVolume& sphere) {
 void run(const VolumesRequest& request) {
     set_up_logging(false);
     check(request);
-    gpu::KernelSources sources = request.machine.sources();
-    const gpu::Device device = gpu::open_device(request.machine.device);
-    gpu::Programs programs(device, std::move(sources), request.machine.cache());
+    Machine machine = open_machine(request.machine);
     const Scene scene = load_scene(request.scene);
     const TriangleSoup object = scene_triangles(scene);
     if (const size_t left_out = scene.spheres.size() + scene.shapes.size())
@@ -55,12 +53,14 @@ void run(const VolumesRequest& request) {
                      left_out);
     const FittedVolumes volumes = fit_volumes(object.positions);
     check_size(volumes.sphere);
-    VolumeTester tester(programs, volumes, gpu::default_settings(device.facts()).width);
-    const LabReport report = run_laboratory(programs, object, volumes, tester, request.rays);
+    VolumeTester tester(machine.programs, volumes,
+                        gpu::default_settings(machine.device.facts()).width);
+    const LabReport report =
+        run_laboratory(machine.programs, object, volumes, tester, request.rays);
     fmt::print("{}", lab_text(report));
     if (request.trials > 0)
-        fmt::print("{}",
-                   trials_text(try_volumes(device, tester, object, uint64_t(request.trials), 1)));
+        fmt::print("{}", trials_text(try_volumes(machine.device, tester, object,
+                                                 uint64_t(request.trials), 1)));
     if (!request.plot.empty())
         write_text(request.plot, lab_svg(report, request.scene.filename().string()));
 }

@@ -246,14 +246,24 @@ TEST_CASE("a render that the device's memory cannot hold is refused with both nu
     furnish(folder);
     const Environment one_gibibyte{{"POCL_MEMORY_LIMIT", "1"}};
     const std::pair<Arguments, std::string> cases[] = {
-        {{"--wave-size", "60000000"}, "the path states take 3.80 GiB in one buffer, but"},
         {{"--size", "16000x16000"}, "the film sums take 3.81 GiB in one buffer, but"},
-        {{"--size", "4096x4095", "--wave-size", "3900000", "--queue", "global"},
-         "the render takes 1.01 GiB (scene"}};
+        {{"--size", "4096x4095", "--spp", "1024"}, "the render takes 1."}};
     for (auto [options, culprit] : cases) {
         options.insert(options.end(), {"--device", "Portable Computing Language"});
         check_refused(folder, onto_precious(CORNELL, options), culprit, NO_DEVICE, one_gibibyte);
     }
+}
+
+TEST_CASE("waves that the device's memory cannot hold are halved, and a line says so") {
+    const Folder folder;
+    const Outcome outcome =
+        onde::test::onde(folder,
+                         {"render", CORNELL, "--size", "16x12", "--spp", "1", "--wave-size",
+                          "60000000", "--device", "Portable Computing Language"},
+                         {{"POCL_MEMORY_LIMIT", "1"}});
+    INFO(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK_THAT(outcome.err, Catch::Contains("waves of 60000000 paths do not fit the memory of"));
 }
 
 TEST_CASE("kernels that are not there or do not compile are named with file and line") {

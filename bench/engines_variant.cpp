@@ -13,20 +13,17 @@ namespace {
 /// The least paths of a work item that compacts its own chunk.
 constexpr uint32_t LEAST_CHUNK = 16;
 
-/// The device's own waves, groups and chunks, of other lanes and launches over chunk-local queues.
-gpu::DeviceSettings shaped(const gpu::DeviceFacts& facts, uint32_t width, gpu::Launch launch,
-                           bool packets) {
+/// The device's own waves, groups and chunks, of other lanes and launches.
+gpu::DeviceSettings shaped(const gpu::DeviceFacts& facts, uint32_t width, gpu::Launch launch) {
     gpu::DeviceSettings settings = gpu::default_settings(facts);
     settings.width = width;
     settings.launch = launch;
-    settings.queue = gpu::QueueKind::chunk_local;
     settings.chunk = std::max(settings.chunk, LEAST_CHUNK);
-    settings.primary_packets = packets;
     return settings;
 }
 
 /// As GPUs get it, on any device.
-gpu::DeviceSettings staged_global(const gpu::DeviceFacts& facts) {
+gpu::DeviceSettings like_a_gpu(const gpu::DeviceFacts& facts) {
     gpu::DeviceFacts gpu = facts;
     gpu.is_cpu = false;
     return gpu::default_settings(gpu);
@@ -35,19 +32,17 @@ gpu::DeviceSettings staged_global(const gpu::DeviceFacts& facts) {
 } // namespace
 
 std::vector<Variant> all_variants(const gpu::DeviceFacts& facts) {
-    const auto shaped = [&](uint32_t width, gpu::Launch launch, bool packets) {
-        return bench::shaped(facts, width, launch, packets);
+    const auto shaped = [&](uint32_t width, gpu::Launch launch) {
+        return bench::shaped(facts, width, launch);
     };
     using gpu::Launch;
-    return {{"fused-16-packets", Engine::wavefront, shaped(16, Launch::fused, true)},
-            {"fused-16", Engine::wavefront, shaped(16, Launch::fused, false)},
-            {"fused-8-packets", Engine::wavefront, shaped(8, Launch::fused, true)},
-            {"fused-8", Engine::wavefront, shaped(8, Launch::fused, false)},
-            {"fused-1", Engine::wavefront, shaped(1, Launch::fused, false)},
-            {"staged-16", Engine::wavefront, shaped(16, Launch::staged, true)},
-            {"staged-1-global", Engine::wavefront, staged_global(facts)},
-            {"megakernel-16", Engine::megakernel, shaped(16, Launch::fused, true)},
-            {"megakernel-1", Engine::megakernel, shaped(1, Launch::fused, false)}};
+    return {{"fused-16", Engine::wavefront, shaped(16, Launch::fused)},
+            {"fused-8", Engine::wavefront, shaped(8, Launch::fused)},
+            {"fused-1", Engine::wavefront, shaped(1, Launch::fused)},
+            {"staged-16", Engine::wavefront, shaped(16, Launch::staged)},
+            {"staged-1", Engine::wavefront, like_a_gpu(facts)},
+            {"megakernel-16", Engine::megakernel, shaped(16, Launch::fused)},
+            {"megakernel-1", Engine::megakernel, shaped(1, Launch::fused)}};
 }
 
 std::vector<Variant> choose_variants(const gpu::DeviceFacts& facts,

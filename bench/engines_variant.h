@@ -15,8 +15,8 @@ struct Variant {
     gpu::DeviceSettings settings;
 };
 
-/// Every variant: "fused-16-packets", "fused-16", ..., a CPU's default first. All but
-/// "staged-1-global", which is what GPUs get, use the device's own waves and groups.
+/// Every variant: "fused-16", "fused-8", ..., a CPU's default first. All but
+/// "staged-1", which is what GPUs get, use the device's own waves and groups.
 std::vector<Variant> all_variants(const gpu::DeviceFacts& facts);
 
 /// Those with the given names, in the order of all_variants(); all of them when none is named.

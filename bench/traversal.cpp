@@ -87,9 +87,10 @@ int main(int argc, char** argv) {
                 {.value = "WORD,...",
                  .delimiter = ',',
                  .words = {"primary", "shadow", "ao", "bounce", "bounce3"}});
-    root.option(
-        "--traversals", &options.race.walks, "only these walks, beside single rays",
-        {.value = "WORD,...", .delimiter = ',', .words = {"single", "packet", "stream", "turns"}});
+    root.option("--traversals", &options.race.traversals, "only these walks, beside single rays",
+                {.value = "WORD,...",
+                 .delimiter = ',',
+                 .words = {"single", "packet", "stream", "interleaved"}});
     root.option("--against", &options.against, "race the walks of the kernels in this folder too",
                 {.value = "DIR"});
     onde::bench::add_device(root, options.device);

@@ -9,16 +9,18 @@ namespace onde::bench {
 
 struct OndeTracers {
     RayQuery wide, portable, watertight, compressed, binary;
-    std::optional<RayQuery> against; ///< the wide tree walked by other kernels
+    std::optional<RayQuery> against; ///< the wide BVH, traversed by other kernels
 
     OndeTracers(gpu::Programs& programs, gpu::Programs* others, const Geometry& geometry,
                 BvhBuilder builder)
-        : wide(programs, geometry, {.builder = builder}),
-          portable(programs, geometry, {.builder = builder}, {"ONDE_AVX512=0", "ONDE_AVX2=0"}),
+        : wide(programs, geometry, {.builder = builder}, QueryKernels::every),
+          portable(programs, geometry, {.builder = builder}, QueryKernels::every,
+                   {"ONDE_AVX512=0", "ONDE_AVX2=0"}),
           watertight(programs, geometry, {.builder = builder, .watertight = true}),
           compressed(programs, geometry, {.builder = builder, .layout = BvhLayout::compressed}),
           binary(programs, geometry, {.builder = builder, .layout = BvhLayout::binary}) {
-        if (others) against.emplace(*others, geometry, BvhOptions{.builder = builder});
+        if (others)
+            against.emplace(*others, geometry, BvhOptions{.builder = builder}, QueryKernels::every);
     }
 };
 

@@ -85,11 +85,11 @@ class Race {
     }
 
     bool takes_part(const std::string& name) const {
-        const auto is_in = [&](const std::string& walk) {
-            return name.find(walk) != std::string::npos;
+        const auto is_in = [&](const std::string& traversal) {
+            return name.find(traversal) != std::string::npos;
         };
-        return options_.walks.empty() || is_in("single") ||
-               std::ranges::any_of(options_.walks, is_in);
+        return options_.traversals.empty() || is_in("single") ||
+               std::ranges::any_of(options_.traversals, is_in);
     }
 
     void add(const EmbreeScene& embree, EmbreeMode mode) {
@@ -99,26 +99,25 @@ class Race {
                                [this] { return mismatches(hits_, blocked_); }});
     }
 
-    using Walk = void (RayQuery::*)(const QueryRays&);
+    using Traversal = void (RayQuery::*)(const QueryRays&);
 
-    void add(const std::string& name, Side side, RayQuery& onde, Walk walk) {
+    void add(const std::string& name, Side side, RayQuery& onde, Traversal traversal) {
         if (!takes_part(name)) return;
-        contenders_.push_back({name, side, [this, &onde, walk] { (onde.*walk)(on_device_); },
-                               [this] {
-                                   return mismatches(on_device_.hits.read(device_),
-                                                     on_device_.blocked.read(device_));
-                               }});
+        contenders_.push_back(
+            {name, side, [this, &onde, traversal] { (onde.*traversal)(on_device_); },
+             [this] {
+                 return mismatches(on_device_.hits.read(device_), on_device_.blocked.read(device_));
+             }});
     }
     void add_single(const std::string& name, Side side, RayQuery& onde) {
         add(name, side, onde, set_.any_hit ? &RayQuery::occluded : &RayQuery::closest);
     }
-    /// Ray by ray, in streams, and where those find closest hits in packets and in turns.
+    /// Ray by ray, in streams, and interleaved where they look for closest hits.
     void add_traversals(const std::string& who, Side side, RayQuery& onde) {
         add_single(who + " single", side, onde);
         if (set_.any_hit) return add(who + " stream", side, onde, &RayQuery::occluded_stream);
-        add(who + " packet", side, onde, &RayQuery::closest_packet);
         add(who + " stream", side, onde, &RayQuery::closest_stream);
-        add(who + " turns", side, onde, &RayQuery::closest_interleaved);
+        add(who + " interleaved", side, onde, &RayQuery::closest_interleaved);
     }
 
     size_t mismatches(const std::vector<Hit>& hits, const std::vector<uint32_t>& blocked) const {

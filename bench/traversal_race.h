@@ -19,14 +19,15 @@ struct Timing {
 struct RaceOptions {
     uint32_t repetitions = 5;
     bool cpu_time = false; ///< processor time instead of wall-clock time
-    /// "packet", "stream", "turns": who takes part beside the single rays; nobody named: everyone.
-    std::vector<std::string> walks{};
+    /// "packet", "stream", "interleaved": who takes part beside the single rays; nobody named:
+    /// everyone.
+    std::vector<std::string> traversals{};
 };
 
-/// Times every mode of Embree's, and Onde's trees: the wide one by all walks, with and without
-/// machine instructions; the others ray by ray; and all walks of other kernels, where there are
-/// any. The reference is Embree's single ray:
-/// a hit differs when t does by more than 1e-4 of it. `set` is not empty.
+/// Times every mode of Embree's, and Onde's trees: the wide one by all traversals, with and without
+/// machine instructions; the others ray by ray; and all traversals of other kernels, where there
+/// are any. The reference is Embree's single ray: a hit differs when t does by more than 1e-4 of
+/// it. `set` is not empty.
 std::vector<Timing> race(const RaySet& set, const gpu::Device& device, const EmbreeScene& embree,
                          OndeTracers& onde, const RaceOptions& options);
 

@@ -11,21 +11,26 @@
 typedef struct {
     __global const uint* pixel_order; // x | y << 16
     uint first_pixel, first_sample, log2_samples;
+    __global uint* counters; // see COUNTER_BOUNCES
 } WaveJob;
 
-// The same as kernel parameters, in the order in which the host binds them. A work item owns
-// `chunk` paths, a multiple of the samples per pixel.
+// How much there is to do, as the first parameters of every kernel of a wave: `count` paths, of
+// which a work item owns `chunk`, a multiple of the samples per pixel.
+#define LAUNCH_PARAMETERS                                                                          \
+    uint count, uint chunk, uint first_pixel, uint first_sample, uint log2_samples
+
+// What is the same for all waves, in the order in which the host binds it.
 #define JOB_PARAMETERS                                                                             \
     __global uint *counters, __global uint *invalid, __global float4 *film_sums,                   \
-        __global const uint *pixel_order, uint chunk, uint first_pixel, uint first_sample,         \
-        uint log2_samples
+        __global const uint *pixel_order
 
 #define WAVE_JOB(job)                                                                              \
     WaveJob job;                                                                                   \
     job.pixel_order = pixel_order;                                                                 \
     job.first_pixel = first_pixel;                                                                 \
     job.first_sample = first_sample;                                                               \
-    job.log2_samples = log2_samples
+    job.log2_samples = log2_samples;                                                               \
+    job.counters = counters
 
 INLINE natural job_pixel(WaveJob job, natural path) {
     return gather_natural(job.pixel_order, (path >> job.log2_samples) + job.first_pixel);
@@ -62,6 +67,18 @@ INLINE mask group_lanes(uint i, uint end) {
 // Adds to a counter of the table; the length of a global queue is such a counter.
 INLINE void count_rays(__global uint* counters, uint row, uint bounce, uint rays) {
     if (rays) atomic_add(&counters[row * COUNTER_BOUNCES + bounce], rays);
+}
+
+// The same for each lane in `bits`, where levels differ from lane to lane.
+INLINE void count_by_level(__global uint* counters, uint row, natural level, uint bits) {
+    float level_of[ONDE_WIDTH];
+    spill_real(level_of, as_real(level));
+    while (bits) {
+        const uint first = as_uint(level_of[lowest_bit(bits)]);
+        const uint same = bits & mask_bits(level == first);
+        count_rays(counters, row, first, popcount(same));
+        bits &= ~same;
+    }
 }
 
 #endif

@@ -1,9 +1,8 @@
 // One sample of one pixel by the path-tracing estimator, every bounce written down. Compiled at
 // width 1; the path has the bits that every other width has. The wave is that one path.
-#include "film/film.h"
 #include "film/tally.h"
 #include "inspect/report.h"
-#include "path/path.h"
+#include "path/estimator.h"
 #include "trace/trace.h"
 
 // What the estimator decided with: the light that it chose and the lobes.
@@ -33,15 +32,14 @@ INLINE void explain_bounce(SceneView view, Path path, Hits hit, Sampler sampler,
 }
 
 // reports: as many as the path may have surfaces. radiance: of the sample.
-__kernel void inspect_path(uint count, SCENE_PARAMETERS, JOB_PARAMETERS,
+__kernel void inspect_path(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS,
                            __global BounceReport* reports, __global uint* report_count,
                            __global float* radiance) {
     if (count == 0 || get_global_id(0) != 0) return;
-    SCENE_VIEW(view);
-    WAVE_JOB(job);
-    const natural pixel = job_pixel(job, (natural)(0u));
-    const Sampler sampler = sampler_start(pixel, job_sample(job, (natural)(0u)), view.frame->seed);
-    Path path = path_start(view.frame, pixel, sampler);
+    ESTIMATOR(e);
+    const SceneView view = e.view;
+    const Sampler sampler = path_sampler(e, (natural)(0u));
+    Path path = estimator_start(e, (natural)(0u));
     real3 sum = zero3();
     uint bounce = 0;
     for (bool alive = true; alive; bounce++) {
@@ -51,13 +49,13 @@ __kernel void inspect_path(uint count, SCENE_PARAMETERS, JOB_PARAMETERS,
         const PathVertex v = path_vertex(view, path, hits, sampler, bounce, (mask)(1));
         sum = add3(sum, v.emitted);
         report3(report->emitted, v.emitted);
-        report3(report->light_direction, v.shadow.direction);
-        report->light_distance = v.shadow.distance;
-        report3(report->light_radiance, v.shadow.radiance);
-        report->blocked =
-            v.shadow.distance > 0.0f &&
-            trace_occluded(view.bvh, v.shadow.origin, v.shadow.direction, v.shadow.distance, 1u);
-        if (v.shadow.distance > 0.0f && !report->blocked) sum = add3(sum, v.shadow.radiance);
+        report3(report->light_direction, v.connection.direction);
+        report->light_distance = v.connection.distance;
+        report3(report->light_radiance, v.connection.value);
+        report->blocked = v.connection.distance > 0.0f &&
+                          trace_occluded(view.bvh, v.connection.origin, v.connection.direction,
+                                         v.connection.distance, 1u);
+        if (v.connection.distance > 0.0f && !report->blocked) sum = add3(sum, v.connection.value);
         report3(report->next_direction, v.next.direction);
         report->next_pdf = v.next.pdf;
         report3(report->next_throughput, v.next.throughput);

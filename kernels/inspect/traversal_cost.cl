@@ -2,6 +2,7 @@
 // ONDE_TRAVERSAL_COST=1 and ONDE_WIDTH=1.
 #include "shade/camera.h"
 #include "shade/scene_view.h"
+#include "trace/bvh.h"
 
 __kernel void pixel_cost(uint count, SCENE_PARAMETERS, __global uint* tests) {
     const uint i = get_global_id(0);

@@ -1,83 +1,131 @@
-// One sample of one pixel by the Whitted estimator, its whole ray tree written down. Compiled at
-// width 1; the tree has the bits that every other width has. The wave is that one path.
+// One sample of one pixel by the Whitted estimator, its whole ray tree written down level by level.
+// Compiled at width 1; the tree has the bits that every other width has. The wave is that one path.
+#include "chapter/whitted/estimator.h"
 #include "film/tally.h"
 #include "inspect/report.h"
-#include "wavefront/tree_levels.h"
+#include "trace/trace.h"
+
+// A node of the tree: its ray, and what it meets.
+typedef struct {
+    WhittedRay ray;
+    Hits hits;
+} TreeNode;
+
+// How much of a connection arrives.
+INLINE float arriving(Estimator e, Connection c) {
+    if (!(c.distance > 0.0f)) return 0.0f;
+    if (!trace_occluded(e.view.bvh, c.origin, c.direction, c.distance, 1u)) return 1.0f;
+#if ESTIMATOR_TRANSLUCENT
+    return estimator_transmittance(e, (float3)(c.origin.x, c.origin.y, c.origin.z),
+                                   (float3)(c.direction.x, c.direction.y, c.direction.z),
+                                   c.distance);
+#else
+    return 0.0f;
+#endif
+}
+
+// The colour of a node without its children, by the steps that the schedulers take.
+INLINE real3 inspected_color(Estimator e, TreeNode node) {
+    const Step step = estimator_vertex(e, node.ray, node.hits, 0u, node.ray.level, 1);
+    State state = step.next;
+    Connection connection = step.connection;
+    float sum = 0.0f;
+    for (uint k = 1;; k++) {
+        const float arrives = arriving(e, connection);
+        if (arrives > 0.0f) sum += connection.value.x * arrives;
+        if (k >= estimator_connections(e)) break;
+        connection = estimator_connection(e, &state, node.hits, 0u, k, &sum, 1);
+    }
+    return own_color(e, state, node.hits, sum, 1);
+}
 
 // The two parts of what a source adds, and how much of it arrives.
-INLINE void explain_source(SceneView view, WhittedView w, TreeVertex v, uint index, real2 offset,
+INLINE void explain_source(Estimator e, WhittedVertex v, __global const SourceRecord* source,
                            real3 color, __global SourceReport* report) {
-    __global const SourceRecord* source = w.sources + index;
-    const uint side = source->samples;
-    const float share = 1.0f / (float)(side * side);
+    const WhittedView w = e.w;
+    const uint count = samples_of(source);
+    const float share = 1.0f / (float)count;
+    const real2 offset = sample_offset(e.job.first_sample);
     float visible = 0.0f, diffuse = 0.0f, specular = 0.0f;
-    for (uint k = 0; k < side * side; k++) {
-        const real2 uv = make2(((float)(k % side) + offset.x) / (float)side,
-                               ((float)(k / side) + offset.y) / (float)side);
+    for (uint k = 0; k < count; k++) {
+        const real2 uv = grid_point(source, k, offset);
         const SourceSample s = source_sample(source, uv, v.surface.position);
         const float cosine = dot3(v.surface.normal, s.direction);
-        if (!s.lit || !(cosine > 0.0f)) continue;
-        const float arrives = sample_visibility(view, w, v, s, 1u);
-        visible += arrives * share;
-        diffuse += arrives * share * PHONG(w, v, diffuse) * cosine;
-        specular += arrives * share * PHONG(w, v, specular) * sample_highlight(w, v, s, cosine);
+        const float arrives = arriving(e, sample_connection(w, v, source, uv, 1)) * share;
+        visible += arrives;
+        if (!(arrives > 0.0f)) continue;
+        diffuse += arrives * PHONG(w, v, diffuse) * cosine;
+        specular += arrives * PHONG(w, v, specular) * sample_highlight(w, v, s, cosine);
     }
-    const real3 light = mul3(color, uniform3(source->strength));
+    const real3 light = mul3(color, uniform3(source->intensity));
     report->visible = visible;
     report3(report->diffuse, scale3(light, diffuse));
     report3(report->specular, scale3(light, specular));
 }
 
-INLINE void explain_node(SceneView view, WhittedView w, NodeArena a, uint slot, uint level,
-                         uint sample, __global NodeReport* report, __global SourceReport* sources) {
-    const TreeRay ray = load_tree_ray(a, slot);
-    const Hits hit = load_hit_rows(node_hits(a), slot);
-    const TreeVertex v = tree_vertex(view, w, ray, hit, 1);
-    report_hit(&report->hit, ray.origin, ray.direction, hit, v.surface);
+INLINE void explain_node(Estimator e, TreeNode node, WhittedVertex v, __global NodeReport* report,
+                         __global SourceReport* sources) {
+    report_hit(&report->hit, node.ray.origin, node.ray.direction, node.hits, v.surface);
     report->hit.t = v.t;
-    report->level = level;
-    report->kind = ray.kind;
+    report->level = node.ray.level;
+    report->kind = node.ray.kind;
     report->alive = v.alive != 0;
-    report3(report->factor, ray.factor);
+    report3(report->factor, arrival_factor(e.w, node.ray, v));
     report->product = v.product;
-    const float4 own = node_color(a, slot);
-    report3(report->own, make3(own.x, own.y, own.z));
     report3(report->emission, zero3());
     report3(report->ambient, zero3());
     if (!v.found || !v.alive) return;
-    const real3 color = phong_color(view, w, v);
-    if (material_emits(view, v.surface.material, v.surface.front))
-        report3(report->emission, material_emission(view, v.surface.material, v.surface.uv));
-    report3(report->ambient, ambient_light(w, v, color));
-    for (uint i = 0; i < w.settings->source_count; i++)
-        explain_source(view, w, v, i, sample_offset(sample), color, sources + i);
+    const real3 color = phong_color(e.view, e.w, v);
+    report3(report->emission, surface_emission(e.view, v, 1));
+    report3(report->ambient, ambient_light(e.w, v, color));
+    for (uint i = 0; i < e.w.settings->source_count; i++)
+        explain_source(e, v, e.w.sources + i, color, sources + i);
 }
 
-// reports: capacity of them; sources: source_count for each. report_count: how many there are,
-// or 0 when the tree does not fit.
-__kernel void inspect_whitted(uint count, SCENE_PARAMETERS, JOB_PARAMETERS, TREE_PARAMETERS,
-                              __global NodeReport* reports, __global SourceReport* source_reports,
-                              uint report_capacity, __global uint* report_count) {
-    if (count == 0 || get_global_id(0) != 0) return;
-    SCENE_VIEW(view);
-    WHITTED_VIEW(w);
-    NODE_ARENA(arena);
-    WAVE_JOB(job);
-    *report_count = 0;
-    TreeLevels trees;
-    if (!grow_trees(view, w, job, arena, 0, 1, &trees)) return;
-    const uint nodes_grown = trees.end[trees.count - 1];
-    if (nodes_grown > report_capacity) return;
-    for (uint level = 0; level < trees.count; level++)
-        for (uint i = trees.begin[level]; i < trees.end[level]; i++) {
-            explain_node(view, w, arena, i, level, first_sample, reports + i,
-                         source_reports + i * w.settings->source_count);
-            reports[i].parent = level ? as_uint(*node_lane(arena, NODE_PARENT, i)) : i;
+// What each node returns: its own colour and its children's, in their order, deepest level first.
+INLINE void fold_reports(Estimator e, __global NodeReport* reports, uint count) {
+    for (uint end = count; end > 1;) {
+        uint begin = end - 1;
+        while (reports[begin - 1].level == reports[end - 1].level) begin--;
+        for (uint i = begin; i < end; i++) {
+            __global float* sum = reports[reports[i].parent].returned;
+            const real3 light = mul3(uniform3(reports[i].factor), uniform3(reports[i].returned));
+            report3(sum, add_light(e.w, uniform3(sum), light));
         }
-    fold_trees(w, arena, &trees);
-    for (uint i = 0; i < nodes_grown; i++) {
-        const float4 color = node_color(arena, i);
-        report3(reports[i].returned, make3(color.x, color.y, color.z));
+        end = begin;
     }
-    *report_count = nodes_grown;
+}
+
+// nodes and reports: capacity of them; sources: source_count for each. report_count: how many there
+// are, or 0 when the tree does not fit.
+__kernel void inspect_whitted(LAUNCH_PARAMETERS, SCENE_PARAMETERS,
+                              JOB_PARAMETERS ESTIMATOR_PARAMETERS, __global TreeNode* tree,
+                              __global NodeReport* reports, __global SourceReport* source_reports,
+                              uint capacity, __global uint* report_count) {
+    if (count == 0 || get_global_id(0) != 0) return;
+    ESTIMATOR(e);
+    *report_count = 0;
+    tree[0].ray = estimator_start(e, 0u);
+    reports[0].parent = 0;
+    uint grown = 1;
+    for (uint i = 0; i < grown; i++) {
+        TreeNode node;
+        node.ray = tree[i].ray;
+        node.hits = trace_closest(e.view.bvh, node.ray.origin, node.ray.direction, 1u);
+        const WhittedVertex v = whitted_vertex(e.view, e.w, node.ray, node.hits, 1);
+        explain_node(e, node, v, reports + i, source_reports + i * e.w.settings->source_count);
+        const real3 color = inspected_color(e, node);
+        report3(reports[i].own, color);
+        report3(reports[i].returned, color);
+        if (node.ray.level + 1 >= e.w.settings->max_depth) continue;
+        for (uint k = 0; k < most_children(e.w); k++) {
+            const WhittedChild child = whitted_child(e.w, v, node.ray.kind, k);
+            if (!child.exists) continue;
+            if (grown == capacity) return;
+            tree[grown].ray = child.ray;
+            reports[grown++].parent = i;
+        }
+    }
+    fold_reports(e, reports, grown);
+    *report_count = grown;
 }

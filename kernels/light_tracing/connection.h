@@ -3,37 +3,13 @@
 #define ONDE_LIGHT_TRACING_CONNECTION_H
 
 #include "shade/camera_link.h"
+#include "shade/connection.h"
 #include "shade/vertex.h"
-
-typedef struct {
-    real3 origin, direction;
-    real distance; // 0: nothing to test and nothing to add
-    real3 value;   // to add to the pixel if nothing is in between
-    natural pixel; // y * width + x
-} Connection;
-
-INLINE Connection no_connection(void) {
-    Connection c;
-    c.origin = c.direction = c.value = zero3();
-    c.distance = (real)(0.0f);
-    c.pixel = (natural)(0u);
-    return c;
-}
-
-OVERLOAD Connection choose(mask m, Connection a, Connection b) {
-    Connection c;
-    c.origin = choose(m, a.origin, b.origin);
-    c.direction = choose(m, a.direction, b.direction);
-    c.distance = choose(m, a.distance, b.distance);
-    c.value = choose(m, a.value, b.value);
-    c.pixel = choose(m, a.pixel, b.pixel);
-    return c;
-}
 
 // The link's light, `value` before the filter, to one pixel; u chooses it. `origin` is where the
 // ray toward the camera starts.
-INLINE Connection connect(__global const FrameRecord* frame, CameraLink link, real3 origin,
-                          real3 value, real2 u, mask lanes) {
+INLINE Connection connect_film(__global const FrameRecord* frame, CameraLink link, real3 origin,
+                               real3 value, real2 u, mask lanes) {
     Connection c = no_connection();
     if (!mask_bits(lanes)) return c;
     const FilterChoice x = choose_pixel(frame, choose(lanes, link.x, (real)(0.0f)), u.x);
@@ -43,7 +19,7 @@ INLINE Connection connect(__global const FrameRecord* frame, CameraLink link, re
                          (y.pixel < (float)frame->height);
     const mask useful = lanes & on_film & nonzero3(c.value);
     const natural column = as_natural(to_integer(x.pixel)), row = as_natural(to_integer(y.pixel));
-    c.pixel = choose(useful, row * frame->width + column, (natural)(0u));
+    c.target = choose(useful, row * frame->width + column, (natural)(0u));
     const real3 to = sub3(link.camera, origin); // the origin's offset must not move the camera
     const real length = length3(to);
     c.origin = origin;

@@ -1,6 +1,7 @@
 // The light-tracing estimator: paths that start at the lights and follow BSDFs as the path tracer's
 // do, each vertex connected to the camera. It knows nothing of queues, waves or films; it returns
-// what should happen next (light for a pixel, the next ray), and the engine loops on it.
+// what should happen next (light for a pixel, the next ray), and the schedulers store or loop on
+// it.
 //
 // Particles carry power, not radiance: the BSDF is used with its directions exchanged, which takes
 // a factor for shading normals and one for refraction (Veach 1997, sections 5.2 and 5.3).
@@ -26,12 +27,7 @@ INLINE uint vertex_dimension(uint vertex, uint which) {
     return LIGHT_DIMENSION_VERTICES + vertex * DIMENSIONS_PER_VERTEX + which;
 }
 
-// A ray of light in flight. Its power is the product of both.
-typedef struct {
-    real3 origin, direction;
-    real3 emitted;
-    real3 throughput; // of the surfaces so far, for roulette
-} LightPath;
+COLUMNS_TYPE(LightPath, LIGHT_PATH_COLUMNS);
 
 typedef struct {
     Connection connection;
@@ -59,8 +55,8 @@ INLINE Connection connect_environment(SceneView view, Emission e, real2 lens, re
         const float pmf = view.lights[frame->environment_light].pmf;
         shown = scale3(environment_radiance(view, uniform3(frame->forward)), (real)(1.0f / pmf));
     }
-    Connection c = connect(frame, link, e.position, scale3(shown, link.importance), pixel,
-                           e.infinite & link.valid);
+    Connection c = connect_film(frame, link, e.position, scale3(shown, link.importance), pixel,
+                                e.infinite & link.valid);
     c.origin = link.camera;
     c.direction = negate3(link.direction);
     c.distance = choose(c.distance > 0.0f, (real)(INFINITE_DISTANCE), c.distance);
@@ -76,8 +72,8 @@ INLINE Connection connect_light(SceneView view, Emission e, Sampler sampler) {
         const CameraLink link = camera_link(view.frame, e.position, lens);
         const real cosine = dot3(e.normal, link.direction);
         const real3 origin = offset_origin(e.position, e.normal, (real)(0.0f));
-        c = connect(view.frame, link, origin, scale3(e.shown, cosine * link.importance), pixel,
-                    e.surface & link.valid & (cosine > 0.0f));
+        c = connect_film(view.frame, link, origin, scale3(e.shown, cosine * link.importance), pixel,
+                         e.surface & link.valid & (cosine > 0.0f));
     }
 #if ONDE_ENVIRONMENT
     if_any (e.infinite) {
@@ -128,8 +124,8 @@ INLINE Connection connect_surface(SceneView view, LightPath path, Vertex v, Samp
         particle_factor(v, negate3(path.direction), wi, link.direction) * link.importance;
     const real3 power = mul3(path.emitted, path.throughput);
     const real2 pixel = sampler_pair(sampler, vertex_dimension(vertex, VERTEX_DIMENSION_PIXEL));
-    return connect(view.frame, link, vertex_exit(v, link.direction), mul3(power, scale3(f, factor)),
-                   pixel, useful);
+    return connect_film(view.frame, link, vertex_exit(v, link.direction),
+                        mul3(power, scale3(f, factor)), pixel, useful);
 }
 
 // Ends paths that carry little; the survivors carry more.

@@ -252,6 +252,17 @@ INLINE void compress_real(__global float* p, real a, uint bits) {
 
 #endif
 
+// p[i] = a for the lanes in `bits`, in their order.
+INLINE void scatter_real(__global float* p, natural i, real a, uint bits) {
+    float value[ONDE_WIDTH], index[ONDE_WIDTH];
+    spill_real(value, a);
+    spill_real(index, as_real(i));
+    for (; bits; bits &= bits - 1) {
+        const uint k = lowest_bit(bits);
+        p[as_uint(index[k])] = value[k];
+    }
+}
+
 // The lanes whose bit is set.
 INLINE mask mask_from_bits(uint bits) {
     return (((natural)(bits) >> lane_index()) & 1u) != 0u;

@@ -1,52 +1,146 @@
-// The whole path in one loop, its state in registers. The same estimator, sample by sample, as the
-// wavefront; `count` is the number of paths.
+// The whole path in one loop, its state in registers: the same estimators, sample by sample, as the
+// wavefront. `count` is the number of paths.
 #include "film/film.h"
 #include "film/tally.h"
-#include "path/path.h"
 #include "trace/trace.h"
 
-// The radiance of the paths from `first`, lanes at `end` and beyond left out.
-INLINE real3 trace_paths(SceneView view, WaveJob job, __global uint* counters, uint first,
-                         uint end) {
-    const mask lanes = group_lanes(first, end);
-    const natural id = choose(lanes, lane_index() + first, (natural)(first));
-    const natural pixel = job_pixel(job, id);
-    const Sampler sampler = sampler_start(pixel, job_sample(job, id), view.frame->seed);
-    Path path = path_start(view.frame, pixel, sampler);
-    real3 radiance = zero3();
-    mask alive = lanes;
-    for (uint bounce = 0; mask_bits(alive); bounce++) {
-        const uint bits = mask_bits(alive);
-        count_rays(counters, COUNTER_EXTENSION, bounce, popcount(bits));
-        const Hits hits = trace_bounce(view.bvh, path.origin, path.direction, bounce, bits);
-        const PathVertex vertex = path_vertex(view, path, hits, sampler, bounce, alive);
-        radiance = choose(alive, add3(radiance, vertex.emitted), radiance);
-        const ShadowRay ray = vertex.shadow;
-        const uint tested = mask_bits(alive & (ray.distance > 0.0f));
-        count_rays(counters, COUNTER_SHADOW, bounce, popcount(tested));
-        const uint open =
-            tested & ~trace_occluded(view.bvh, ray.origin, ray.direction, ray.distance, tested);
-        const mask lit = mask_from_bits(open);
-        radiance = choose(lit, add3(radiance, ray.radiance), radiance);
-        path = vertex.next;
-        alive = vertex.alive;
-    }
-    return radiance;
+// What the lanes of a group have gathered.
+typedef struct {
+    real3 sum;
+    natural contributed, unblocked; // of estimators that splat
+} Gathered;
+
+INLINE void count_lanes(Estimator e, uint row, uint vertex, State state, uint bits) {
+#if ESTIMATOR_TREE
+    count_by_level(e.job.counters, row, state.level, bits);
+#else
+    count_rays(e.job.counters, row, vertex, popcount(bits));
+#endif
 }
 
-__kernel void megakernel(uint count, SCENE_PARAMETERS, JOB_PARAMETERS) {
+#if ESTIMATOR_SPLATS
+// Adds the connections of the lanes in `bits` to their pixels.
+INLINE void add_splats(Estimator e, FilmView film, Connection c, natural id, uint vertex, uint bits,
+                       Gathered* gathered) {
+    float x[ONDE_WIDTH], y[ONDE_WIDTH], z[ONDE_WIDTH], target[ONDE_WIDTH], path[ONDE_WIDTH];
+    float unblocked[ONDE_WIDTH], contributed[ONDE_WIDTH];
+    spill_real(x, c.value.x);
+    spill_real(y, c.value.y);
+    spill_real(z, c.value.z);
+    spill_real(target, as_real(c.target));
+    spill_real(path, as_real(id));
+    spill_real(unblocked, (real)(0.0f));
+    spill_real(contributed, (real)(0.0f));
+    for (; bits; bits &= bits - 1) {
+        const uint k = lowest_bit(bits);
+        const float4 told = estimator_splat(e, film, as_uint(path[k]), vertex, as_uint(target[k]),
+                                            (float3)(x[k], y[k], z[k]));
+        unblocked[k] = told.x;
+        contributed[k] = told.w;
+    }
+    gathered->unblocked += as_natural(to_integer(unspill_real(unblocked)));
+    gathered->contributed |= choose(unspill_real(contributed) > 0.0f, (natural)(1u), (natural)(0u));
+}
+#endif
+
+#if ESTIMATOR_TRANSLUCENT
+// What is left of the light of the lanes in `blocked`; 1 in others.
+INLINE real transmittances(Estimator e, Connection c, uint blocked) {
+    SpilledRays rays;
+    float distance[ONDE_WIDTH], left[ONDE_WIDTH];
+    spill_rays(&rays, c.origin, c.direction);
+    spill_real(distance, c.distance);
+    spill_real(left, (real)(1.0f));
+    for (; blocked; blocked &= blocked - 1) {
+        const uint k = lowest_bit(blocked);
+        left[k] = estimator_transmittance(e, spilled_origin(&rays, k), spilled_direction(&rays, k),
+                                          distance[k]);
+    }
+    return unspill_real(left);
+}
+#endif
+
+// Tests the connections of a vertex, the camera or light being vertex 0, and adds what arrives.
+INLINE void connect_lanes(Estimator e, FilmView film, State state, Connection c, natural id,
+                          uint vertex, mask lanes, Gathered* gathered) {
+    const uint tested = mask_bits(lanes & (c.distance > 0.0f));
+    if (!tested) return;
+    count_lanes(e, COUNTER_SHADOW, vertex, state, tested);
+    const uint blocked = trace_occluded(e.view.bvh, c.origin, c.direction, c.distance, tested);
+#if ESTIMATOR_SPLATS
+    add_splats(e, film, c, id, vertex, tested & ~blocked, gathered);
+#else
+    uint open = tested & ~blocked;
+    #if ESTIMATOR_TRANSLUCENT
+    if (blocked) {
+        const real left = transmittances(e, c, blocked);
+        c.value = scale3(c.value, left);
+        open |= blocked & mask_bits(left > 0.0f);
+    }
+    #endif
+    const mask lit = mask_from_bits(open);
+    gathered->sum = choose(lit, add3(gathered->sum, c.value), gathered->sum);
+#endif
+}
+
+// What the paths from `first` gather, lanes at `end` and beyond left out.
+INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
+    const mask lanes = group_lanes(first, end);
+    const natural id = choose(lanes, lane_index() + first, (natural)(first));
+    Gathered gathered;
+    gathered.sum = zero3();
+    gathered.contributed = gathered.unblocked = (natural)(0u);
+    mask alive = lanes;
+#if ESTIMATOR_CONNECTS_START
+    const Step start = estimator_start(e, id, lanes);
+    State state = start.next;
+    alive = start.alive;
+    connect_lanes(e, film, state, start.connection, id, 0, lanes, &gathered);
+#else
+    State state = estimator_start(e, id);
+#endif
+    for (uint bounce = 0; mask_bits(alive); bounce++) {
+        const uint bits = mask_bits(alive), vertex = bounce + ESTIMATOR_CONNECTS_START;
+        count_lanes(e, COUNTER_EXTENSION, bounce, state, bits);
+        const Hits hits = trace_bounce(e.view.bvh, state.origin, state.direction, bounce, bits);
+        const Step step = estimator_vertex(e, state, hits, id, bounce, alive);
+#if ESTIMATOR_EMITS
+        gathered.sum = choose(alive, add3(gathered.sum, step.emitted), gathered.sum);
+#endif
+        state = step.next;
+        connect_lanes(e, film, state, step.connection, id, vertex, alive, &gathered);
+#if ESTIMATOR_TREE
+        for (uint k = 1; k < estimator_connections(e); k++) {
+            const Connection c =
+                estimator_connection(e, &state, hits, id, k, &gathered.sum.x, alive);
+            connect_lanes(e, film, state, c, id, vertex, alive, &gathered);
+        }
+        const mask tree = alive;
+        alive = estimator_advance(e, &state, hits, id, gathered.sum.x, tree);
+        gathered.sum = choose(tree, choose(alive, zero3(), state.color), gathered.sum);
+#else
+        alive = step.alive;
+#endif
+    }
+    return gathered;
+}
+
+__kernel void megakernel(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS ESTIMATOR_PARAMETERS) {
     const Range range = whole_range(count, chunk);
     if (range.begin == range.end) return;
-    SCENE_VIEW(view);
-    WAVE_JOB(job);
+    ESTIMATOR(e);
     FILM_VIEW(film);
     for (uint i = range.begin; i < range.end; i += ONDE_WIDTH) {
+        const Gathered gathered = trace_paths(e, film, i, range.end);
+#if ESTIMATOR_SPLATS
+        estimator_tell(e, sum_natural(gathered.contributed), sum_natural(gathered.unblocked));
+#else
         float x[ONDE_WIDTH], y[ONDE_WIDTH], z[ONDE_WIDTH];
-        const real3 sum = trace_paths(view, job, counters, i, range.end);
-        spill_real(x, sum.x);
-        spill_real(y, sum.y);
-        spill_real(z, sum.z);
+        spill_real(x, gathered.sum.x);
+        spill_real(y, gathered.sum.y);
+        spill_real(z, gathered.sum.z);
         for (uint k = 0; k < ONDE_WIDTH && i + k < range.end; k++)
-            film_add(film, job, i + k, (float4)(x[k], y[k], z[k], 0.0f));
+            film_add(film, e.job, i + k, (float4)(x[k], y[k], z[k], 0.0f));
+#endif
     }
 }

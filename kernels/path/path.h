@@ -1,29 +1,19 @@
 // The path-tracing estimator: what happens at each vertex of a path. It knows nothing of queues,
-// waves or films; it returns what should happen next (light found, a shadow ray, the next ray),
-// and the engines store or loop on it.
+// waves or films; it returns what should happen next (light found, a connection to a light, the
+// next ray), and the schedulers store or loop on it.
 #ifndef ONDE_PATH_PATH_H
 #define ONDE_PATH_PATH_H
 
 #include "shade/camera.h"
+#include "shade/connection.h"
 #include "shade/light.h"
 #include "shade/vertex.h"
 
-// A ray in flight and what it has gathered.
-typedef struct {
-    real3 origin, direction;
-    real3 throughput;
-    real pdf; // of the direction at the last vertex; 0 if light can't have been sampled there
-} Path;
+COLUMNS_TYPE(Path, PATH_COLUMNS);
 
 typedef struct {
-    real3 origin, direction;
-    real distance;  // 0: nothing to test
-    real3 radiance; // to add if nothing is in between
-} ShadowRay;
-
-typedef struct {
-    real3 emitted; // radiance found at this vertex
-    ShadowRay shadow;
+    real3 emitted;         // radiance found at this vertex
+    Connection connection; // light sampled from here, for the path's own sum
     Path next;
     mask alive; // whether `next` goes on
 } PathVertex;
@@ -57,16 +47,16 @@ INLINE real3 path_emission(SceneView view, Path path, real t, Surface s, mask la
     return choose(emits, mul3(path.throughput, scale3(radiance, weight)), zero3());
 }
 
-INLINE ShadowRay path_shadow_ray(SceneView view, Path path, Vertex v, Sampler sampler, uint bounce,
-                                 real choice, mask lanes) {
+INLINE Connection path_connection(SceneView view, Path path, Vertex v, Sampler sampler, uint bounce,
+                                  real choice, mask lanes) {
     const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT));
     const LightSample light = light_sample(view, v.surface.position, choice, u, lanes);
     const real3 wi = to_local(v.basis, light.direction);
     const BsdfValue f = bsdf_eval(v.bsdf, v.wo, wi);
     const real weight =
         choose(light.delta, (real)(1.0f), power_heuristic(light.pdf, f.pdf)) / light.pdf;
-    ShadowRay ray;
-    ray.radiance = mul3(mul3(path.throughput, f.value), scale3(light.radiance, weight));
+    Connection ray;
+    ray.value = mul3(mul3(path.throughput, f.value), scale3(light.radiance, weight));
     const mask useful = lanes & light.valid & true_side(v, wi, light.direction) &
                         nonzero3(f.value) & nonzero3(light.radiance);
     ray.origin = vertex_exit(v, light.direction);
@@ -94,10 +84,7 @@ OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sam
                                 mask lanes) {
     PathVertex result;
     result.emitted = zero3();
-    result.shadow.origin = path.origin;
-    result.shadow.direction = path.direction;
-    result.shadow.distance = (real)(0.0f);
-    result.shadow.radiance = zero3();
+    result.connection = no_connection();
     result.next = path;
     const mask found = lanes & (hit.primitive != BVH_NONE);
     const mask missed = lanes & !found;
@@ -125,7 +112,7 @@ OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sam
     v.bsdf = material_bsdf(view, v.surface, v.wo.z);
     const real2 choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE));
     if (view.frame->light_count > 0) {
-        result.shadow = path_shadow_ray(view, path, v, sampler, bounce, choice.x, found);
+        result.connection = path_connection(view, path, v, sampler, bounce, choice.x, found);
     }
 
     const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_DIRECTION));

@@ -217,7 +217,7 @@
     OFFSET(SourceRecord, radius)                                                                   \
     OFFSET(SourceRecord, edge2)                                                                    \
     OFFSET(SourceRecord, two_sided)                                                                \
-    OFFSET(SourceRecord, strength)                                                                 \
+    OFFSET(SourceRecord, intensity)                                                                \
     OFFSET(SourceRecord, samples)                                                                  \
     SIZE(HitReport)                                                                                \
     OFFSET(HitReport, origin)                                                                      \

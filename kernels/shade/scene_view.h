@@ -4,7 +4,7 @@
 
 #include "shared/frame.h"
 #include "shared/scene.h"
-#include "trace/bvh.h"
+#include "trace/bvh_view.h"
 
 // What the scene needs; the host compiles only that.
 #ifndef ONDE_TEXTURES

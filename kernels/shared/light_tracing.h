@@ -8,8 +8,6 @@
 
 #define SPLAT_WORDS 9 // of a pixel: red, green, blue
 
-#define LIGHT_LANES 14 // words of a light path in flight (see wavefront/light_state.h)
-
 // Places in the statistics, in sums.
 #define LIGHT_CONTRIBUTED 0u // emitted rays that met a surface which then added to some pixel
 #define LIGHT_UNBLOCKED 1u   // connections with nothing in between

@@ -50,7 +50,7 @@ typedef struct {
     float radius;
     float edge2[3];
     uint two_sided;
-    float strength[3];
+    float intensity[3];
     uint samples; // side of the grid of samples
 } SourceRecord;
 

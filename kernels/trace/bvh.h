@@ -1,21 +1,16 @@
-// The tree, in whichever layout the kernels are compiled for, walked by one ray.
+// One ray through the BVH. The text of the BVH's layout, one of trace/layout_*.h, comes before this
+// file in every program; so a program holds no other layout's.
 //
 // A ray is origin, t_min >= 0, direction (any length), t_max; it hits at t_min < t <= t_max. A ray
 // with a NaN or an infinity in origin or direction hits nothing. The answer does not depend on the
-// order of the walk, nor on which of the walks (single, packet, stream, portable) was asked.
+// order of the traversal, nor on which traversal (single, packet, stream, interleaved) was asked.
 #ifndef ONDE_TRACE_BVH_H
 #define ONDE_TRACE_BVH_H
 
-// Not below the condition: a file is taken in where it is first named, and nowhere else.
-#include "trace/bvh_slot.h"
 #include "trace/bvh_view.h"
 
-#if ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE
-    #include "trace/bvh_wide.h"
-#elif ONDE_BVH_LAYOUT == BVH_LAYOUT_COMPRESSED
-    #include "trace/bvh_compressed.h"
-#else
-    #include "trace/bvh_binary.h"
+#ifndef ONDE_BVH_LAYOUT
+    #error "the text of a layout (trace/layout_wide.h or another) has to come first"
 #endif
 
 // The closest hit of the ray.

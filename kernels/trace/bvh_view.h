@@ -1,15 +1,11 @@
-// What every walk shares, whatever the layout of the tree: the view of its arrays, the ray in the
-// space of the tree that it walks, entries of the stack.
+// What every traversal shares, whatever the layout of the BVH: the view of its arrays, the ray in
+// the space of the BVH that it traverses, entries of the stack.
 #ifndef ONDE_TRACE_BVH_VIEW_H
 #define ONDE_TRACE_BVH_VIEW_H
 
 #include "trace/bvh_leaf.h"
 #include "trace/bvh_slab.h"
 
-// The layout of the tree that the kernels are compiled for: BVH_LAYOUT_... in shared/bvh.h.
-#ifndef ONDE_BVH_LAYOUT
-    #define ONDE_BVH_LAYOUT BVH_LAYOUT_WIDE
-#endif
 // Entries that the tree's deepest walk needs: Bvh::stack_size.
 #ifndef ONDE_STACK_SIZE
     #define ONDE_STACK_SIZE 256

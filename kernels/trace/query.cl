@@ -1,11 +1,11 @@
-// Recorded rays through the tree and nothing else: what the traversal bench times and the traversal
-// tests ask. A ray is 8 floats: origin, t_min, direction, t_max; a hit is 5 words: t, u, v, ids.
+// Rays through the BVH and nothing else: what measures layouts, the traversal bench times and the
+// traversal tests ask. A ray is 8 floats: origin, t_min, direction, t_max; a hit is 5 words: t, u,
+// v, ids.
 #include "trace/bvh.h"
-#if ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE
-    #include "trace/bvh_interleaved.h"
-    #include "trace/bvh_packet.h"
-    #include "trace/bvh_stream_closest.h"
-    #include "trace/bvh_stream_occluded.h"
+
+// Whether ray streams and interleaved rays are asked for, which the wide layout alone has.
+#ifndef ONDE_STREAM_QUERIES
+    #define ONDE_STREAM_QUERIES 0
 #endif
 
 INLINE void store_hit(__global float* hits, uint i, Hit hit) {
@@ -33,7 +33,7 @@ __kernel void occluded(uint count, BVH_SCALARS, __global const float8* rays,
     blocked[i] = bvh_occluded(bvh, ray.s012, ray.s3, ray.s456, ray.s7);
 }
 
-#if ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE
+#if ONDE_STREAM_QUERIES
 // `width` rays from `first` on; after the last one, it again.
 INLINE void load_stream(__global const float* rays, uint first, uint count, uint width,
                         StreamRays* stream, float* t_min, float* t_max) {
@@ -82,7 +82,6 @@ __kernel void occluded_stream(uint count, BVH_SCALARS, __global const float* ray
                 store_hit(hits, first + lane, stream_hit(&found, lane));                           \
         }
 
-CLOSEST_OF_SIXTEEN(closest_packet, bvh_closest_packet)
 CLOSEST_OF_SIXTEEN(closest_stream, bvh_closest_stream)
 CLOSEST_OF_SIXTEEN(closest_interleaved, bvh_closest_interleaved)
 #endif

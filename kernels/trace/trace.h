@@ -1,20 +1,14 @@
-// Rays of several lanes against the scene: one walk per live lane, or one of all lanes in company.
-// For rays that lie in memory see trace_rows.h.
+// Rays of several lanes against the scene: one traversal per live lane, or a ray stream of all
+// lanes. For rays that lie in memory see trace_columns.h.
 #ifndef ONDE_TRACE_TRACE_H
 #define ONDE_TRACE_TRACE_H
 
 #include "math/vector.h"
 #include "trace/bvh.h"
 #include "trace/hits.h"
-#if ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE
-    #include "trace/bvh_interleaved.h"
-    #include "trace/bvh_packet.h"
-    #include "trace/bvh_stream_closest.h"
-    #include "trace/bvh_stream_occluded.h"
-#endif
 
-// Whether rays of several lanes may walk in company, and the bounces from the camera that do;
-// shadow rays then always do.
+// Whether rays of several lanes go through the tree as a stream, and the bounces from the camera
+// that do; shadow rays then always do.
 #ifndef ONDE_STREAMS
     #define ONDE_STREAMS (ONDE_CPU && ONDE_WIDTH > 1 && ONDE_BVH_LAYOUT == BVH_LAYOUT_WIDE)
 #endif
@@ -22,12 +16,7 @@
     #define ONDE_STREAM_BOUNCES 2
 #endif
 
-// Whether primary rays go through the tree as packets.
-#ifndef ONDE_PRIMARY_PACKETS
-    #define ONDE_PRIMARY_PACKETS 0
-#endif
-
-// Whether rays of later bounces, which have little in common, take turns instead of walking one
+// Whether rays of later bounces, which have little in common, are interleaved instead of traced one
 // after the other: for trees that the caches do not hold.
 #ifndef ONDE_INTERLEAVE
     #define ONDE_INTERLEAVE 0
@@ -88,16 +77,12 @@ INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits)
 }
 
 #if ONDE_STREAMS
-// Up to 16 rays of a bounce: primary rays as a packet, those that just left what the camera sees in
-// company, the rest in turns or one after the other.
-INLINE void closest_in_company(BvhView bvh, StreamRays* rays, StreamHits* hits, uint bounce,
-                               uint bits) {
+// Up to 16 rays of a bounce: those that see what the camera sees, or just left it, as a stream, the
+// rest interleaved or one after the other.
+INLINE void closest_of_bounce(BvhView bvh, StreamRays* rays, StreamHits* hits, uint bounce,
+                              uint bits) {
     const float t_min[STREAM_WIDTH] = {0.0f};
     clear_stream_hits(hits, RAY_INFINITY);
-    if (bounce == 0 && ONDE_PRIMARY_PACKETS) {
-        bvh_closest_packet(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
-        return;
-    }
     if (bounce < ONDE_STREAM_BOUNCES) {
         bvh_closest_stream(BVH_TO_SCALARS(bvh), rays, t_min, hits, bits);
         return;
@@ -131,7 +116,7 @@ INLINE Hits trace_bounce(BvhView bvh, real3 origin, real3 direction, uint bounce
     StreamRays rays;
     StreamHits found;
     load_stream(&rays, origin, direction);
-    closest_in_company(bvh, &rays, &found, bounce, bits);
+    closest_of_bounce(bvh, &rays, &found, bounce, bits);
     Hits hits;
     hits.t = unspill_real(found.t);
     hits.u = unspill_real(found.u);

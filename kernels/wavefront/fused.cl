@@ -1,25 +1,37 @@
-// All stages and bounces of a chunk of paths in one work item: a wavefront that lives in the cache.
-// `count` is the number of paths of the wave.
+// All stages and bounces of a chunk of paths in one work item: a wavefront that lives in the cache,
+// compacted in place, for any estimator. `count` is the number of paths of the wave.
 #include "film/tally.h"
-#include "wavefront/queue.h"
+#include "wavefront/stages.h"
 
-__kernel void fused(uint count, SCENE_PARAMETERS, JOB_PARAMETERS, STATE_PARAMETERS) {
+__kernel void fused(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS ESTIMATOR_PARAMETERS,
+                    WAVE_PARAMETERS) {
     const Range range = whole_range(count, chunk);
     if (range.begin == range.end) return;
-    SCENE_VIEW(view);
+    ESTIMATOR(e);
     WAVE_VIEW(wave);
-    WAVE_JOB(job);
     FILM_VIEW(film);
     const uint begin = range.begin;
-    stage_generate(view, wave, job, begin, range.end);
     uint end = range.end;
+    stage_generate(e, wave, begin, end);
+#if ESTIMATOR_CONNECTS_START
+    count_path_rays(e.job, COUNTER_SHADOW, 0, stage_connect(e, wave, film, 0, begin, end));
+    end = begin + stage_extend(wave, wave.state, begin, end, begin);
+#endif
     for (uint b = 0; begin < end; b++) {
-        count_rays(counters, COUNTER_EXTENSION, b, end - begin);
-        stage_intersect(view, wave, b, begin, end);
-        const uint rays = stage_shade(view, wave, job, b, begin, end);
-        count_rays(counters, COUNTER_SHADOW, b, rays);
-        stage_shadow(view, wave, begin, end);
-        end = begin + stage_extend(wave, wave, begin, end, begin);
+        const uint vertex = b + ESTIMATOR_CONNECTS_START;
+        count_path_rays(e.job, COUNTER_EXTENSION, b, end - begin);
+        stage_intersect(e, wave, b, begin, end);
+        stage_shade(e, wave, b, begin, end);
+        const uint rays = stage_connect(e, wave, film, vertex, begin, end);
+        count_path_rays(e.job, COUNTER_SHADOW, vertex, rays);
+#if ESTIMATOR_TREE
+        for (uint k = 1; k < estimator_connections(e); k++) {
+            stage_sample(e, wave, k, begin, end);
+            stage_connect(e, wave, film, b, begin, end);
+        }
+        stage_advance(e, wave, begin, end);
+#endif
+        end = begin + stage_extend(wave, wave.state, begin, end, begin);
     }
-    stage_accumulate(wave, job, film, begin, range.end);
+    stage_accumulate(e, wave, film, begin, range.end);
 }

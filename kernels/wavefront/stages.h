@@ -1,109 +1,112 @@
-// The stages of a wave, each over a range [begin, end) of slots. They know lanes and slots, but not
-// who launches them: the kernels around them are in staged.cl and fused.cl.
+// The stages of a wave, each over a range [begin, end) of slots, for any estimator. They know lanes
+// and slots, but not who launches them: the kernels around them are in staged.cl and fused.cl.
 #ifndef ONDE_WAVEFRONT_STAGES_H
 #define ONDE_WAVEFRONT_STAGES_H
 
-#include "film/film.h"
-#include "wavefront/state.h"
+#include "wavefront/deliver.h"
 
-INLINE void stage_generate(SceneView view, WaveView wave, WaveJob job, uint begin, uint end) {
-    for (uint i = begin; i < end; i += ONDE_WIDTH) {
-        const natural id = lane_index() + i;
-        const natural safe = choose(group_lanes(i, end), id, (natural)(begin));
-        const natural pixel = job_pixel(job, safe);
-        const Sampler sampler = sampler_start(pixel, job_sample(job, safe), view.frame->seed);
-        store_path(wave, i, path_start(view.frame, pixel, sampler));
-        store_path_id(wave, i, id);
-    }
-    for (uint i = begin; i < end; i++) wave.radiance[i] = (float4)(0.0f);
-}
-
-INLINE void stage_intersect(SceneView view, WaveView wave, uint bounce, uint begin, uint end) {
-    trace_rows(view.bvh, path_ray_rows(wave), path_hit_rows(wave), bounce, begin, end);
-}
-
-// Returns how many shadow rays there are to test.
-INLINE uint stage_shade(SceneView view, WaveView wave, WaveJob job, uint bounce, uint begin,
-                        uint end) {
-    uint shadow_rays = 0;
+// Paths `id` = slot begin to end of the wave, on their way; their sums are zero.
+INLINE void stage_generate(Estimator e, WaveView wave, uint begin, uint end) {
+    for (uint i = begin; i < end; i++) wave.sums[i] = (float4)(0.0f);
     for (uint i = begin; i < end; i += ONDE_WIDTH) {
         const mask lanes = group_lanes(i, end);
-        const natural id = choose(lanes, load_path_id(wave, i), (natural)(0u));
-        const Sampler sampler =
-            sampler_start(job_pixel(job, id), job_sample(job, id), view.frame->seed);
-        const PathVertex vertex =
-            path_vertex(view, load_path(wave, i), load_hit_rows(path_hit_rows(wave), i), sampler,
-                        bounce, lanes);
-        add_radiance(wave, id, vertex.emitted, mask_bits(lanes & nonzero3(vertex.emitted)));
-        store_shadow_ray(wave, i, vertex.shadow);
-        store_path(wave, i, vertex.next);
-        store_alive(wave, i, vertex.alive);
-        shadow_rays += popcount(mask_bits(lanes & (vertex.shadow.distance > 0.0f)));
+        const natural id = choose(lanes, lane_index() + i, (natural)(begin));
+        store_id(wave, i, lane_index() + i);
+#if ESTIMATOR_CONNECTS_START
+        const Step step = estimator_start(e, id, lanes);
+        store_state(wave.state, i, step.next);
+        store_alive(wave, i, step.alive);
+        store_connection(wave_connections(wave), i, step.connection);
+#else
+        store_state(wave.state, i, estimator_start(e, id));
+#endif
     }
-    return shadow_rays;
 }
 
-// The shadow rays of the group at slot i.
-INLINE uint shadow_bits(WaveView wave, uint i, uint end) {
-    const real distance = load_real(lane(wave.shadow, wave.stride, LANE_SHADOW_DISTANCE, i));
+INLINE void stage_intersect(Estimator e, WaveView wave, uint bounce, uint begin, uint end) {
+    trace_columns(e.view.bvh, wave.state, wave_hits(wave), bounce, begin, end);
+    for (uint i = begin; i < end; i += ONDE_WIDTH)
+        count_tree_rays(e.job, COUNTER_EXTENSION, wave, i, mask_bits(group_lanes(i, end)));
+}
+
+INLINE void stage_shade(Estimator e, WaveView wave, uint bounce, uint begin, uint end) {
+    for (uint i = begin; i < end; i += ONDE_WIDTH) {
+        const mask lanes = group_lanes(i, end);
+        const natural id = choose(lanes, load_id(wave, i), (natural)(0u));
+        const Step step = estimator_vertex(e, load_state(wave.state, i),
+                                           load_hits(wave_hits(wave), i), id, bounce, lanes);
+#if ESTIMATOR_EMITS
+        add_to_sums(wave, id, step.emitted, mask_bits(lanes & nonzero3(step.emitted)));
+#endif
+        store_connection(wave_connections(wave), i, step.connection);
+        store_state(wave.state, i, step.next);
+        store_alive(wave, i, step.alive);
+    }
+}
+
+// The connections that are to be tested, of the group at slot i.
+INLINE uint pending_connections(WaveView wave, uint i, uint end) {
+    const real distance = load_real(column(wave_connections(wave), RAY_DISTANCE, i));
     return mask_bits(group_lanes(i, end) & (distance > 0.0f));
 }
 
-#if ONDE_STREAMS
-
-// Slots whose shadow rays walk in company.
-typedef struct {
-    uint slots[OCCLUDED_WIDTH];
-    uint count;
-} ShadowGroup;
-
-INLINE void light_slot(WaveView wave, uint i) {
-    const uint path = as_uint(*lane(wave.state, wave.stride, LANE_ID, i));
-    __global const float* light = lane(wave.shadow, wave.stride, LANE_SHADOW_RADIANCE, i);
-    wave.radiance[path] +=
-        (float4)(light[0], light[wave.stride], light[2 * (size_t)wave.stride], 0.0f);
+INLINE void test_connections(Estimator e, WaveView wave, FilmView film, const uint* slots,
+                             uint count, uint vertex) {
+    const uint blocked = occluded_slots(e.view.bvh, wave_connections(wave), slots, count);
+    for (uint k = 0; k < count; k++) deliver(e, wave, film, slots[k], vertex, blocked >> k & 1);
 }
 
-INLINE void test_shadows(SceneView view, WaveView wave, ShadowGroup* group) {
-    const float t_min[OCCLUDED_WIDTH] = {0.0f};
-    float distance[OCCLUDED_WIDTH];
-    StreamRays rays;
-    for (uint r = 0; r < group->count; r++) {
-        load_ray(&rays, r, shadow_ray_rows(wave), group->slots[r]);
-        distance[r] = *lane(wave.shadow, wave.stride, LANE_SHADOW_DISTANCE, group->slots[r]);
-    }
-    const uint bits = 0xffffffffu >> (OCCLUDED_WIDTH - group->count);
-    const uint blocked =
-        bvh_occluded_stream(BVH_TO_SCALARS(view.bvh), &rays, t_min, distance, bits);
-    for (uint open = bits & ~blocked; open; open &= open - 1)
-        light_slot(wave, group->slots[lowest_bit(open)]);
-    group->count = 0;
-}
-
-INLINE void stage_shadow(SceneView view, WaveView wave, uint begin, uint end) {
-    ShadowGroup group;
-    group.count = 0;
-    for (uint i = begin; i < end; i += ONDE_WIDTH)
-        for (uint bits = shadow_bits(wave, i, end); bits; bits &= bits - 1) {
-            group.slots[group.count++] = i + lowest_bit(bits);
-            if (group.count == OCCLUDED_WIDTH) test_shadows(view, wave, &group);
-        }
-    if (group.count > 0) test_shadows(view, wave, &group);
-}
-
-#else
-
-INLINE void stage_shadow(SceneView view, WaveView wave, uint begin, uint end) {
+// Tests the connections of a vertex, the camera or light being vertex 0, and delivers what arrives.
+// Returns how many there were.
+INLINE uint stage_connect(Estimator e, WaveView wave, FilmView film, uint vertex, uint begin,
+                          uint end) {
+    uint slots[OCCLUDED_SLOTS];
+    uint count = 0, tested = 0;
     for (uint i = begin; i < end; i += ONDE_WIDTH) {
-        const uint bits = shadow_bits(wave, i, end);
-        if (!bits) continue;
-        const ShadowRay ray = load_shadow_ray(wave, i);
-        const uint blocked =
-            trace_occluded(view.bvh, ray.origin, ray.direction, ray.distance, bits);
-        add_radiance(wave, load_path_id(wave, i), ray.radiance, bits & ~blocked);
+        uint bits = pending_connections(wave, i, end);
+        tested += popcount(bits);
+        count_tree_rays(e.job, COUNTER_SHADOW, wave, i, bits);
+        for (; bits; bits &= bits - 1) {
+            slots[count++] = i + lowest_bit(bits);
+            if (count < OCCLUDED_SLOTS) continue;
+            test_connections(e, wave, film, slots, count, vertex);
+            count = 0;
+        }
+    }
+    if (count > 0) test_connections(e, wave, film, slots, count, vertex);
+    return tested;
+}
+
+#if ESTIMATOR_TREE
+// Connection k > 0 of a vertex whose first one is a matter of shading.
+INLINE void stage_sample(Estimator e, WaveView wave, uint k, uint begin, uint end) {
+    for (uint i = begin; i < end; i += ONDE_WIDTH) {
+        const mask lanes = group_lanes(i, end);
+        const natural id = choose(lanes, load_id(wave, i), (natural)(0u));
+        State state = load_state(wave.state, i);
+        real sum = load_sums(wave, id);
+        const Connection connection =
+            estimator_connection(e, &state, load_hits(wave_hits(wave), i), id, k, &sum, lanes);
+        store_sums(wave, id, splat3(sum), mask_bits(lanes));
+        store_connection(wave_connections(wave), i, connection);
+        store_state(wave.state, i, state);
     }
 }
 
+// The next ray of each tree, or its end.
+INLINE void stage_advance(Estimator e, WaveView wave, uint begin, uint end) {
+    for (uint i = begin; i < end; i += ONDE_WIDTH) {
+        const mask lanes = group_lanes(i, end);
+        const natural id = choose(lanes, load_id(wave, i), (natural)(0u));
+        State state = load_state(wave.state, i);
+        const mask alive = estimator_advance(e, &state, load_hits(wave_hits(wave), i), id,
+                                             load_sums(wave, id), lanes);
+        // A tree that has ended leaves its colour; one that goes on starts its next sum.
+        store_sums(wave, id, choose(alive, zero3(), state.color), mask_bits(lanes));
+        store_state(wave.state, i, state);
+        store_alive(wave, i, alive);
+    }
+}
 #endif
 
 // How many paths of the range go on.
@@ -116,19 +119,28 @@ INLINE uint count_alive(WaveView wave, uint begin, uint end) {
 
 // Moves the paths that go on to consecutive slots of `to` from `first`; returns their number. In
 // place it is safe for first <= begin: the write position never passes the read position.
-INLINE uint stage_extend(WaveView from, WaveView to, uint begin, uint end, uint first) {
+INLINE uint stage_extend(WaveView wave, Columns to, uint begin, uint end, uint first) {
     uint next = first;
     for (uint i = begin; i < end; i += ONDE_WIDTH) {
-        const uint bits = mask_bits(group_lanes(i, end) & load_alive(from, i));
-        move_paths(from, i, to, next, bits);
+        const uint bits = mask_bits(group_lanes(i, end) & load_alive(wave, i));
+        move_columns(wave.state, i, to, next, MOVED_COLUMNS, bits);
         next += popcount(bits);
     }
     return next - first;
 }
 
-// Adds the wave's radiance to the film, path by path.
-INLINE void stage_accumulate(WaveView wave, WaveJob job, FilmView film, uint begin, uint end) {
-    for (uint i = begin; i < end; i++) film_add(film, job, i, wave.radiance[i]);
+// What the paths have gathered goes to the film, path by path.
+INLINE void stage_accumulate(Estimator e, WaveView wave, FilmView film, uint begin, uint end) {
+#if ESTIMATOR_SPLATS
+    uint contributed = 0, unblocked = 0;
+    for (uint i = begin; i < end; i++) {
+        contributed += wave.sums[i].w > 0.0f;
+        unblocked += (uint)wave.sums[i].x;
+    }
+    estimator_tell(e, contributed, unblocked);
+#else
+    for (uint i = begin; i < end; i++) film_add(film, e.job, i, wave.sums[i]);
+#endif
 }
 
 #endif

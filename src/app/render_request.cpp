@@ -79,19 +79,13 @@ void declare_engine(Command& command, RenderRequest& r) {
     command.choice("--engine", r.choices.engine,
                    "How paths are driven through the device (wavefront)");
     command.choice("--launch", r.choices.launch,
-                   "Wavefront stages one by one, or all in one kernel\n(this and the next: what "
-                   "suits the device)");
-    command.choice("--queue", r.choices.queue, "Where live rays are kept");
-    command.choice("--packets", r.choices.packets, SWITCH, "Primary rays in packets of 16");
+                   "Wavefront stages one by one, or all in one kernel (what suits the device)");
     command.choice("--interleave", r.choices.interleave, SWITCH,
-                   "Rays of late bounces in turns (where the tree is larger than the cache)");
+                   "Rays of late bounces interleaved (where the BVH is larger than the cache)");
     command.option("--lanes", &r.choices.lanes, "Paths shaded at once by a work item: 1, 8 or 16",
                    {.value = "N"});
     command.option("--wave-size", &r.choices.wave_size, "Paths in flight", {.value = "N"});
     command.option("--chunk", &r.choices.chunk, "Paths of one work item", {.value = "N"});
-    command.option("--tree-slots", &r.choices.tree_slots,
-                   "Whitted: rays kept for each path of a wave (8); what does not fit is cut",
-                   {.value = "N"});
 }
 
 void declare_reports(Command& command, RenderRequest& r) {

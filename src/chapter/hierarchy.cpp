@@ -80,7 +80,8 @@ HierarchyReport measure_hierarchy(gpu::Programs& programs, const TriangleSoup& o
     const TreeOnDevice tree(device, bvh, rays);
     HierarchyReport report{bvh.statistics, rays.size()};
 
-    gpu::ProgramRequest counting{"chapter/traversal_cost.cl", defines(bvh), {}};
+    gpu::ProgramRequest counting{
+        "chapter/traversal_cost.cl", defines(bvh), {}, {layout_file(bvh.layout)}};
     counting.defines.push_back("ONDE_TRAVERSAL_COST=1");
     counting.kernels.push_back({"count_tests", LOCAL_SIZE, rays.size()});
     gpu::Program counter = programs.build(counting);
@@ -93,11 +94,11 @@ HierarchyReport measure_hierarchy(gpu::Programs& programs, const TriangleSoup& o
         report.hits += counts[3 * i + 2];
     }
 
-    gpu::Program tracer = programs.build({"trace/query.cl",
-                                          defines(bvh),
-                                          {{"closest", LOCAL_SIZE, rays.size()},
-                                           {"closest_packet", 4, rays.size()},
-                                           {"occluded", LOCAL_SIZE, rays.size()}}});
+    gpu::Program tracer = programs.build(
+        {"trace/query.cl",
+         defines(bvh),
+         {{"closest", LOCAL_SIZE, rays.size()}, {"occluded", LOCAL_SIZE, rays.size()}},
+         {layout_file(bvh.layout)}});
     const gpu::Buffer<uint32_t> hits(device, 5 * rays.size());
     std::vector<double> seconds;
     for (size_t i = 0; i < RUNS; ++i) {

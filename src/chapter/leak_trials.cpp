@@ -35,7 +35,8 @@ gpu::ProgramRequest request(const Bvh& bvh, size_t items) {
     return {"bench/leaks.cl",
             {fmt::format("ONDE_STACK_SIZE={}", bvh.stack_size), "ONDE_INSTANCES=0",
              "ONDE_SPHERES=0", fmt::format("ONDE_WATERTIGHT={:d}", bvh.watertight)},
-            {{"count_leaks", 16, items}}};
+            {{"count_leaks", 16, items}},
+            {layout_file(bvh.layout)}};
 }
 
 } // namespace

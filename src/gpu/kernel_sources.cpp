@@ -44,7 +44,7 @@ class Flattener {
     explicit Flattener(const KernelSources& sources) : sources_(sources) {}
 
     void add(const std::string& file, const std::string& text) {
-        taken_.insert(file);
+        if (!taken_.insert(file).second) return;
         add_line_directive(1, file);
         std::string_view rest = text;
         for (size_t line = 1; !rest.empty(); ++line) {
@@ -110,8 +110,12 @@ std::string KernelSources::read(const std::string& file) const {
 }
 
 std::string KernelSources::flatten(const std::string& file) const {
+    return flatten(std::vector{file});
+}
+
+std::string KernelSources::flatten(const std::vector<std::string>& files) const {
     Flattener flattener(*this);
-    flattener.add(file, read(file));
+    for (const std::string& file : files) flattener.add(file, read(file));
     return flattener.take();
 }
 

@@ -143,7 +143,9 @@ Programs::Programs(const Device& device, KernelSources sources, std::optional<Pr
 
 Program Programs::build(const ProgramRequest& request) {
     const Timer timer;
-    const std::string source = sources_.flatten(request.file);
+    std::vector<std::string> files = request.before;
+    files.push_back(request.file);
+    const std::string source = sources_.flatten(files);
     const std::string options = join_options(device_.facts(), request);
     const std::string key = cache_key(device_.facts(), source, options, request.kernels);
     bool compiled = false;

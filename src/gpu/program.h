@@ -32,6 +32,8 @@ class KernelSources {
     /// lands at its first mention. Throws DeviceError naming the file and line of an #include of a
     /// file that there is not.
     std::string flatten(const std::string& file) const;
+    /// The same of several files, one after the other.
+    std::string flatten(const std::vector<std::string>& files) const;
 
   private:
     std::optional<std::filesystem::path> root_;
@@ -57,6 +59,9 @@ struct ProgramRequest {
     /// Those that will be launched. Name all of the file: PoCL compiles the unnamed ones as well,
     /// for no particular local size, when it hands out the binary.
     std::vector<KernelShape> kernels;
+    /// Files whose text comes before that of `file`: what it leaves open, such as the layout of the
+    /// BVH or the estimator that a scheduler drives.
+    std::vector<std::string> before = {};
 };
 
 struct BuildReport {

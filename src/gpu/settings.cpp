@@ -24,18 +24,14 @@ DeviceSettings default_settings(const DeviceFacts& facts) {
             .wave_size = 1u << 16,
             .chunk = 256,
             .local_size = 1,
-            .queue = QueueKind::chunk_local,
             .launch = Launch::fused,
-            .primary_packets = width > 1,
             .interleave_above = facts.cache};
 }
 
 std::string describe(const DeviceSettings& settings) {
-    return fmt::format("{} lane{}, waves of {} paths, {} per work item, groups of {}, {} queues, "
-                       "{} stages, primary packets {}",
+    return fmt::format("{} lane{}, waves of {} paths, {} per work item, groups of {}, {} stages",
                        settings.width, settings.width == 1 ? "" : "s", settings.wave_size,
-                       settings.chunk, settings.local_size, word_of(settings.queue),
-                       word_of(settings.launch), settings.primary_packets ? "on" : "off");
+                       settings.chunk, settings.local_size, word_of(settings.launch));
 }
 
 } // namespace onde::gpu

@@ -9,19 +9,9 @@
 
 namespace onde::gpu {
 
-enum class QueueKind {
-    chunk_local, ///< each work item owns a range of paths and compacts it in place
-    global,      ///< one queue per stage, appended to with aggregated atomics
-};
-
-constexpr auto enum_words(QueueKind) {
-    return std::array{EnumWord{QueueKind::chunk_local, "chunk-local"},
-                      EnumWord{QueueKind::global, "global"}};
-}
-
 enum class Launch {
-    staged, ///< one kernel per stage and bounce
-    fused,  ///< one kernel in which a work item runs all stages and bounces of its chunk
+    staged, ///< one kernel per stage and bounce, over a queue that all work items share
+    fused, ///< one kernel: a work item runs all stages and bounces of its chunk, compacted in place
 };
 
 constexpr auto enum_words(Launch) {
@@ -33,10 +23,9 @@ struct DeviceSettings {
     uint32_t wave_size = 1u << 20; ///< paths in flight
     uint32_t chunk = 1;            ///< paths of one work item; a multiple of `width`
     uint32_t local_size = 64;      ///< work items of a group; fewer where a kernel takes no more
-    QueueKind queue = QueueKind::global;
     Launch launch = Launch::staged;
-    bool primary_packets = false; ///< trace primary rays in packets of 16
-    /// Rays of late bounces take turns in a tree of more bytes, which waits for memory otherwise.
+    /// Rays of late bounces are interleaved in a BVH of more bytes, which waits for memory
+    /// otherwise.
     uint64_t interleave_above = UINT64_MAX;
 
     bool operator==(const DeviceSettings&) const = default;

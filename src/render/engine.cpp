@@ -23,18 +23,14 @@ KernelArguments::KernelArguments(const EngineContext& context)
     job_.pixel_order.write(device_, pixel_order(options.width, options.height));
 }
 
-uint32_t KernelArguments::bind(gpu::Kernel& kernel) const {
-    kernel.set(0, uint32_t(0));
-    kernel.set(1, job_.frame);
-    const uint32_t job = scene_.bind(kernel, 2);
-    const uint32_t wave =
-        kernel.set_from(job, job_.counters, film_.invalid(), film_.sums(), job_.pixel_order);
-    return wave + WAVE_ARGUMENTS;
+uint32_t KernelArguments::bind(gpu::Kernel& kernel, uint32_t first) const {
+    kernel.set(first, job_.frame);
+    const uint32_t job = scene_.bind(kernel, first + 1);
+    return kernel.set_from(job, job_.counters, film_.invalid(), film_.sums(), job_.pixel_order);
 }
 
 void KernelArguments::set_wave(gpu::Kernel& kernel, const Wave& wave, uint32_t chunk) const {
-    kernel.set(0, wave.paths());
-    kernel.set_from(FIRST_WAVE_ARGUMENT, chunk, wave.first_pixel, wave.first_sample,
+    kernel.set_from(0, wave.paths(), chunk, wave.first_pixel, wave.first_sample,
                     uint32_t(std::countr_zero(wave.samples)));
 }
 
@@ -48,24 +44,20 @@ std::vector<uint64_t> KernelArguments::counters() const {
     return job_.totals.read(device_);
 }
 
-gpu::Program build_engine(const EngineContext& context, const std::string& file,
-                          const std::vector<std::string>& kernels,
-                          const std::vector<std::string>& more_defines) {
-    const gpu::DeviceSettings& settings = context.options.settings;
-    gpu::ProgramRequest request;
-    request.file = file;
-    request.defines = context.scene.packed().features.defines();
+gpu::Program build_engine(const EngineContext& context, const EstimatorShape& estimator,
+                          const std::string& file, const std::vector<std::string>& kernels) {
+    const RenderOptions& options = context.options;
+    const gpu::DeviceSettings& settings = options.settings;
+    const SceneFeatures& features = context.scene.packed().features;
+    gpu::ProgramRequest request{.file = file,
+                                .defines = features.defines(),
+                                .kernels = {},
+                                .before = {layout_file(features.layout), estimator.file}};
     request.defines.push_back(fmt::format("ONDE_WIDTH={}", settings.width));
     request.defines.push_back(
-        fmt::format("ONDE_GLOBAL_QUEUE={:d}", settings.queue == gpu::QueueKind::global));
-    // The megakernel's groups are its lanes, and packets want 16.
-    const bool can_fill = context.options.engine == Engine::wavefront || settings.width == 16;
-    request.defines.push_back(
-        fmt::format("ONDE_PRIMARY_PACKETS={:d}", settings.primary_packets && can_fill));
-    request.defines.push_back(
         fmt::format("ONDE_INTERLEAVE={:d}", context.scene.bvh_bytes() > settings.interleave_above));
-    request.defines.insert(request.defines.end(), more_defines.begin(), more_defines.end());
-    const RenderOptions& options = context.options;
+    request.defines.insert(request.defines.end(), estimator.defines.begin(),
+                           estimator.defines.end());
     const uint64_t frame = uint64_t(options.width) * options.height * options.samples_in_flight;
     const size_t items = std::min<uint64_t>(settings.wave_size, frame) / settings.chunk;
     for (const std::string& name : kernels)
@@ -74,15 +66,18 @@ gpu::Program build_engine(const EngineContext& context, const std::string& file,
     return context.programs.build(request);
 }
 
-void plan_engine(RenderBuffers& buffers, const RenderOptions& options) {
+void plan_engine(RenderBuffers& buffers, const EstimatorShape& estimator,
+                 const RenderOptions& options) {
     JobBuffers(buffers.film, options);
-    if (options.engine == Engine::wavefront) WaveMemory(buffers.paths, options.settings);
+    if (options.engine == Engine::wavefront) WaveMemory(buffers.paths, estimator, options.settings);
 }
 
-std::unique_ptr<EngineDriver> make_engine(const EngineContext& context) {
-    if (context.options.engine == Engine::megakernel) return make_megakernel(context);
-    if (context.options.settings.launch == gpu::Launch::fused) return make_fused_wavefront(context);
-    return make_staged_wavefront(context);
+std::unique_ptr<EngineDriver> make_engine(const EngineContext& context,
+                                          const Estimator& estimator) {
+    if (context.options.engine == Engine::megakernel) return make_megakernel(context, estimator);
+    if (context.options.settings.launch == gpu::Launch::fused)
+        return make_fused_wavefront(context, estimator);
+    return make_staged_wavefront(context, estimator);
 }
 
 } // namespace onde

@@ -1,8 +1,9 @@
-// How a wave of paths is driven through the kernels. Three ways: staged and fused wavefront, and
-// the megakernel. They make the same picture, bit for bit.
+// How a wave of paths is driven through the kernels, whatever the estimator. Three schedulers:
+// staged and fused wavefront, and the megakernel. They make the same picture, bit for bit.
 #pragma once
 
 #include "gpu/program.h"
+#include "render/estimator.h"
 #include "render/film.h"
 #include "render/memory_plan.h"
 #include "render/options.h"
@@ -51,11 +52,13 @@ struct JobBuffers {
 /// The parameters that all kernels of all engines share, and their places.
 class KernelArguments {
   public:
+    static constexpr uint32_t LAUNCH_PARAMETER_COUNT = 5;
+
     explicit KernelArguments(const EngineContext& context);
 
-    /// Binds all but `count` and the wave; returns the first index after them.
-    uint32_t bind(gpu::Kernel& kernel) const;
-    /// Sets `count` and the wave.
+    /// Binds SCENE_PARAMETERS and JOB_PARAMETERS from argument `first` on; returns the next index.
+    uint32_t bind(gpu::Kernel& kernel, uint32_t first = LAUNCH_PARAMETER_COUNT) const;
+    /// Sets LAUNCH_PARAMETERS, which come first.
     void set_wave(gpu::Kernel& kernel, const Wave& wave, uint32_t chunk) const;
     /// Adds the wave's counters to the totals.
     void tally(gpu::Program& program, gpu::Profiler* profiler) const;
@@ -64,10 +67,6 @@ class KernelArguments {
     std::vector<uint64_t> counters() const;
 
   private:
-    // The order of kernel parameters: count, frame, 13 of the scene, 4 buffers of the job, then
-    // chunk, first_pixel, first_sample, log2_samples.
-    static constexpr uint32_t FIRST_WAVE_ARGUMENT = 19, WAVE_ARGUMENTS = 4;
-
     const gpu::Device& device_;
     const DeviceScene& scene_;
     const Film& film_;
@@ -88,20 +87,23 @@ class EngineDriver {
     virtual const gpu::BuildReport& build_report() const = 0;
 };
 
-std::unique_ptr<EngineDriver> make_staged_wavefront(const EngineContext& context);
-std::unique_ptr<EngineDriver> make_fused_wavefront(const EngineContext& context);
-std::unique_ptr<EngineDriver> make_megakernel(const EngineContext& context);
+std::unique_ptr<EngineDriver> make_staged_wavefront(const EngineContext& context,
+                                                    const Estimator& estimator);
+std::unique_ptr<EngineDriver> make_fused_wavefront(const EngineContext& context,
+                                                   const Estimator& estimator);
+std::unique_ptr<EngineDriver> make_megakernel(const EngineContext& context,
+                                              const Estimator& estimator);
 
-/// States the buffers of an engine of these options.
-void plan_engine(RenderBuffers& buffers, const RenderOptions& options);
+/// The engine that the options name, around an estimator, which outlives it.
+std::unique_ptr<EngineDriver> make_engine(const EngineContext& context, const Estimator& estimator);
 
-/// The engine that the options name.
-std::unique_ptr<EngineDriver> make_engine(const EngineContext& context);
+/// States the buffers of an engine of these options, but for the estimator's own.
+void plan_engine(RenderBuffers& buffers, const EstimatorShape& estimator,
+                 const RenderOptions& options);
 
-/// The program `file` with the scene's, the settings' and the device's definitions and
-/// `more_defines`, and `tally`.
-gpu::Program build_engine(const EngineContext& context, const std::string& file,
-                          const std::vector<std::string>& kernels,
-                          const std::vector<std::string>& more_defines = {});
+/// The program `file` behind the texts of the scene's layout and the estimator, with the scene's,
+/// the settings' and the estimator's definitions, and `tally`.
+gpu::Program build_engine(const EngineContext& context, const EstimatorShape& estimator,
+                          const std::string& file, const std::vector<std::string>& kernels);
 
 } // namespace onde

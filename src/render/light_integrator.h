@@ -1,7 +1,7 @@
 // The light tracer: paths from the lights, every vertex connected to the camera.
 #pragma once
 
-#include "render/integrator.h"
+#include "render/wave_integrator.h"
 
 #include "shared/light_tracing.h"
 
@@ -15,51 +15,44 @@ struct LightCounts {
     uint64_t unblocked = 0;   ///< of them, those with nothing in between
 };
 
-/// The buffers of light tracing, beside those of all integrators.
-struct LightBuffers {
-    gpu::Buffer<uint32_t> splats, statistics;
-    gpu::Buffer<LightTracingRecord> setup;
-    gpu::Buffer<float> state;
+/// The light tracer's half of kernels/light_tracing/estimator.h.
+class LightEstimator : public Estimator {
+  public:
+    LightEstimator(RenderBuffers& buffers, const Scene& scene, const RenderOptions& options);
 
-    LightBuffers(RenderBuffers& buffers, const RenderOptions& options);
+    const EstimatorShape& shape() const override { return shape_; }
+    uint32_t bind(gpu::Kernel& kernel, uint32_t first) const override;
+
+    const gpu::Buffer<uint32_t>& splats() const { return splats_; }
+    /// What one unit of a splat's fixed point stands for.
+    float splat_unit() const { return 1.0f / setup_.splat_scale; }
+    /// By LIGHT_CONTRIBUTED, ...
+    std::vector<uint64_t> statistics(const gpu::Device& device) const;
+
+  private:
+    EstimatorShape shape_;
+    LightTracingRecord setup_;
+    gpu::Buffer<LightTracingRecord> on_device_;
+    gpu::Buffer<uint32_t> splats_, statistics_;
 };
 
-/// States the buffers of a light tracer of these options.
-void plan_light_integrator(RenderBuffers& buffers, const RenderOptions& options);
-
-class LightIntegrator : public Integrator {
+class LightIntegrator : public WaveIntegrator {
   public:
     /// Throws InputError for a scene in which nothing emits.
     explicit LightIntegrator(const IntegratorContext& context);
 
-    void render_pass(uint32_t first, uint32_t count,
-                     const std::function<bool(double)>& keep_going) override;
-    uint32_t max_samples() const override;
-    Film& film() override { return film_; }
-    RayCounts ray_counts() const override;
-    const gpu::BuildReport& build_report() const override { return program_.report(); }
-    const RenderBuffers& buffers() const override { return buffers_; }
     std::vector<std::string> findings() const override;
-
     LightCounts counts() const;
 
   private:
-    void trace_wave(const Wave& wave);
-    void resolve();
-    std::vector<uint64_t> statistics() const;
+    /// Makes the film from the splats.
+    void end_pass() override;
 
-    const gpu::Device& device_;
-    RenderOptions options_;
     gpu::Profiler* profiler_;
     bool has_mirrors_;
     uint64_t hidden_emitters_;
-    RenderBuffers buffers_;
-    Film film_;
-    LightBuffers light_;
-    float splat_scale_;
-    KernelArguments arguments_;
-    gpu::Program program_;
-    uint64_t emitted_ = 0;
+    const LightEstimator& light_;
+    gpu::Program resolve_;
 };
 
 } // namespace onde

@@ -11,9 +11,6 @@
 namespace onde {
 namespace {
 
-/// Groups at the end may be read whole, and lanes a power of two apart would share cache sets.
-constexpr uint32_t LANE_PADDING = 272;
-
 /// Beside the brightest light, since a point light's own number is no radiance, and light gathers.
 constexpr double HEADROOM = 1024;
 
@@ -47,10 +44,6 @@ LightTracingRecord make_light_tracing(const Scene& scene, const RenderOptions& o
     const double most = paths * brightest_light(scene) * HEADROOM;
     record.splat_scale = std::ldexp(1.0f, std::clamp(64 - std::ilogb(most) - 1, -100, 100));
     return record;
-}
-
-size_t light_state_size(const gpu::DeviceSettings& settings) {
-    return (size_t(settings.wave_size) + LANE_PADDING) * LIGHT_LANES;
 }
 
 uint64_t count_hidden_emitters(const PackedScene& scene) {

@@ -14,9 +14,6 @@ namespace onde {
 /// times the number of all paths.
 LightTracingRecord make_light_tracing(const Scene& scene, const RenderOptions& options);
 
-/// Words of the paths in flight: LIGHT_LANES lanes of a wave each, padded.
-size_t light_state_size(const gpu::DeviceSettings& settings);
-
 /// Whether some surface is a smooth mirror or smooth glass, which no connection can see.
 bool has_smooth_lobes(const Scene& scene);
 

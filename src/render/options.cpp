@@ -22,7 +22,6 @@ void check_options(const RenderOptions& options) {
     check_range("height", options.height, 1, 65535);
     check_range("width x height", uint64_t(options.width) * options.height, 1, 1u << 28);
     check_range("samples per pixel", options.samples, 1, 1u << 24);
-    check_range("tree slots", options.tree_slots, 1, 1u << 12);
     const bool is_whitted = options.integrator == IntegratorKind::whitted;
     check_range(is_whitted ? "depth of --integrator whitted" : "depth", options.depth, 1,
                 most_depth(options.integrator));
@@ -35,8 +34,6 @@ void check_options(const RenderOptions& options) {
         throw InputError("chunk {} is not a power of two that {} divides", s.chunk, s.width);
     if (s.wave_size % s.chunk)
         throw InputError("wave size {} is not a multiple of the chunk, {}", s.wave_size, s.chunk);
-    if (s.launch == gpu::Launch::fused && s.queue == gpu::QueueKind::global)
-        throw InputError("fused launches work on chunk-local queues only; use --launch staged");
 }
 
 } // namespace onde

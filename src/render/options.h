@@ -32,7 +32,6 @@ struct RenderOptions {
     IntegratorKind integrator = IntegratorKind::path;
     Engine engine = Engine::wavefront;
     gpu::DeviceSettings settings;
-    uint32_t tree_slots = 8;         ///< Whitted: nodes in flight for each path of a wave, >= 1
     uint32_t samples_in_flight = 16; ///< the most of one pixel in one wave; a power of two
 
     bool operator==(const RenderOptions&) const = default;

@@ -10,14 +10,15 @@ namespace {
 
 class SingleLaunch : public EngineDriver {
   public:
-    SingleLaunch(const EngineContext& context, const std::string& file, const std::string& kernel,
-                 bool has_state)
+    SingleLaunch(const EngineContext& context, const Estimator& estimator, const std::string& file,
+                 const std::string& kernel, bool has_state)
         : settings_(context.options.settings), profiler_(context.profiler), arguments_(context),
-          program_(build_engine(context, file, {kernel})), kernel_(program_.kernel(kernel)) {
-        const uint32_t after = arguments_.bind(kernel_);
+          program_(build_engine(context, estimator.shape(), file, {kernel})),
+          kernel_(program_.kernel(kernel)) {
+        const uint32_t after = estimator.bind(kernel_, arguments_.bind(kernel_));
         if (!has_state) return;
-        memory_.emplace(context.buffers.paths, settings_);
-        memory_->bind(kernel_, after, 0, false);
+        memory_.emplace(context.buffers.paths, estimator.shape(), settings_);
+        memory_->bind(kernel_, after);
     }
 
     void render_wave(const Wave& wave) override {
@@ -42,12 +43,15 @@ class SingleLaunch : public EngineDriver {
 
 } // namespace
 
-std::unique_ptr<EngineDriver> make_fused_wavefront(const EngineContext& context) {
-    return std::make_unique<SingleLaunch>(context, "wavefront/fused.cl", "fused", true);
+std::unique_ptr<EngineDriver> make_fused_wavefront(const EngineContext& context,
+                                                   const Estimator& estimator) {
+    return std::make_unique<SingleLaunch>(context, estimator, "wavefront/fused.cl", "fused", true);
 }
 
-std::unique_ptr<EngineDriver> make_megakernel(const EngineContext& context) {
-    return std::make_unique<SingleLaunch>(context, "megakernel/megakernel.cl", "megakernel", false);
+std::unique_ptr<EngineDriver> make_megakernel(const EngineContext& context,
+                                              const Estimator& estimator) {
+    return std::make_unique<SingleLaunch>(context, estimator, "megakernel/megakernel.cl",
+                                          "megakernel", false);
 }
 
 } // namespace onde

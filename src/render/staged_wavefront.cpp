@@ -1,29 +1,41 @@
-// The wavefront as one kernel launch per stage and bounce.
+// The wavefront as one kernel launch per stage and step, over a queue that all work items share.
+#include "gpu/fence.h"
 #include "render/engine.h"
 #include "render/wave_memory.h"
 
 #include <algorithm>
+#include <deque>
 
 namespace onde {
 namespace {
 
 class StagedWavefront : public EngineDriver {
   public:
-    explicit StagedWavefront(const EngineContext& context)
-        : settings_(context.options.settings), depth_(context.options.depth),
+    StagedWavefront(const EngineContext& context, const Estimator& estimator)
+        : device_(context.device()), shape_(estimator.shape()), settings_(context.options.settings),
           profiler_(context.profiler), arguments_(context),
-          memory_(context.buffers.paths, settings_),
-          program_(build_engine(
-              context, "wavefront/staged.cl",
-              {"generate", "intersect", "shade", "shadow_test", "extend", "accumulate"})) {}
+          memory_(context.buffers.paths, shape_, settings_),
+          program_(build_engine(context, shape_, "wavefront/staged.cl", stages())) {
+        for (const std::string& stage : stages()) bind(program_.kernel(stage), estimator);
+    }
 
+    /// As long as a path is alive: a step is queued before the one before it is known to have left
+    /// some, so that the device need not wait for the host.
     void render_wave(const Wave& wave) override {
+        for (const std::string& stage : stages())
+            arguments_.set_wave(program_.kernel(stage), wave, chunk_of(stage, wave));
         launch("generate", wave, 0);
-        for (uint32_t bounce = 0; bounce < depth_; bounce++) {
-            launch("intersect", wave, bounce);
-            launch("shade", wave, bounce);
-            launch("shadow_test", wave, bounce);
-            launch("extend", wave, bounce);
+        uint32_t step = 0;
+        if (shape_.connects_start) {
+            launch("connect", wave, step);
+            launch("extend", wave, step++);
+        }
+        for (std::deque<gpu::PendingWord> alive;; step++) {
+            launch_step(wave, step);
+            alive.emplace_back(device_, memory_.queue(), (step + 1) % 2);
+            if (alive.size() < 2) continue;
+            if (alive.front().wait() == 0) break;
+            alive.pop_front();
         }
         launch("accumulate", wave, 0);
         arguments_.tally(program_, profiler_);
@@ -35,33 +47,64 @@ class StagedWavefront : public EngineDriver {
     const gpu::BuildReport& build_report() const override { return program_.report(); }
 
   private:
-    void launch(const char* stage, const Wave& wave, uint32_t bounce) {
+    std::vector<std::string> stages() const {
+        std::vector<std::string> names{"generate", "intersect", "shade",
+                                       "connect",  "extend",    "accumulate"};
+        if (shape_.is_tree) names.insert(names.end(), {"sample", "advance"});
+        return names;
+    }
+
+    void bind(gpu::Kernel& kernel, const Estimator& estimator) {
+        state_argument_ = estimator.bind(kernel, arguments_.bind(kernel, STEP_ARGUMENT + 1));
+        queue_argument_ = memory_.bind(kernel, state_argument_);
+        memory_.bind_queue(kernel, queue_argument_);
+    }
+
+    void launch_step(const Wave& wave, uint32_t step) {
+        launch("intersect", wave, step);
+        launch("shade", wave, step);
+        launch("connect", wave, step);
+        if (shape_.is_tree) {
+            for (uint32_t k = 1; k < shape_.connections; k++) {
+                program_.kernel("sample").set(queue_argument_ + 2, k);
+                launch("sample", wave, step);
+                launch("connect", wave, step);
+            }
+            launch("advance", wave, step);
+        }
+        launch("extend", wave, step);
+    }
+
+    void launch(const char* stage, const Wave& wave, uint32_t step) {
         gpu::Kernel& kernel = program_.kernel(stage);
-        const bool swapped = settings_.queue == gpu::QueueKind::global && bounce % 2;
-        memory_.bind(kernel, arguments_.bind(kernel), bounce, swapped);
-        const uint32_t chunk = chunk_of(kernel, wave);
-        arguments_.set_wave(kernel, wave, chunk);
+        kernel.set(STEP_ARGUMENT, step);
+        memory_.set_states(kernel, state_argument_, queue_argument_, step);
+        const uint32_t chunk = chunk_of(stage, wave);
         kernel.launch((wave.paths() + chunk - 1) / chunk, profiler_);
     }
 
     /// A pixel's samples must be accumulated by one work item.
-    uint32_t chunk_of(const gpu::Kernel& kernel, const Wave& wave) const {
-        const bool whole_pixels = kernel.name() == "accumulate";
-        return whole_pixels ? std::max(settings_.chunk, wave.samples) : settings_.chunk;
+    uint32_t chunk_of(const std::string& stage, const Wave& wave) const {
+        return stage == "accumulate" ? std::max(settings_.chunk, wave.samples) : settings_.chunk;
     }
 
+    static constexpr uint32_t STEP_ARGUMENT = KernelArguments::LAUNCH_PARAMETER_COUNT;
+
+    const gpu::Device& device_;
+    EstimatorShape shape_;
     gpu::DeviceSettings settings_;
-    uint32_t depth_;
     gpu::Profiler* profiler_;
     KernelArguments arguments_;
     WaveMemory memory_;
     gpu::Program program_;
+    uint32_t state_argument_ = 0, queue_argument_ = 0; // the same in all stages
 };
 
 } // namespace
 
-std::unique_ptr<EngineDriver> make_staged_wavefront(const EngineContext& context) {
-    return std::make_unique<StagedWavefront>(context);
+std::unique_ptr<EngineDriver> make_staged_wavefront(const EngineContext& context,
+                                                    const Estimator& estimator) {
+    return std::make_unique<StagedWavefront>(context, estimator);
 }
 
 } // namespace onde

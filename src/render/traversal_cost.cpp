@@ -15,8 +15,10 @@ namespace {
 constexpr size_t LOCAL_SIZE = 64;
 
 gpu::ProgramRequest request(const IntegratorContext& context, size_t pixels) {
-    gpu::ProgramRequest request{
-        "inspect/traversal_cost.cl", context.scene.packed().features.defines(), {}};
+    gpu::ProgramRequest request{"inspect/traversal_cost.cl",
+                                context.scene.packed().features.defines(),
+                                {},
+                                {layout_file(context.scene.packed().features.layout)}};
     request.defines.push_back("ONDE_WIDTH=1");
     request.defines.push_back("ONDE_TRAVERSAL_COST=1");
     request.kernels.push_back({"pixel_cost", LOCAL_SIZE, pixels});

@@ -1,14 +1,48 @@
-// Integrators whose passes are cut into waves for an engine.
+// Integrators whose passes are cut into waves, which an engine drives through an estimator.
 #pragma once
 
 #include "render/integrator.h"
 
 namespace onde {
 
-/// An integrator around the engine that `make` makes of its context. The device outlives it, as
-/// does what the context refers to.
-using EngineFactory = std::function<std::unique_ptr<EngineDriver>(const EngineContext&)>;
-std::unique_ptr<Integrator> make_wave_integrator(const IntegratorContext& context,
-                                                 const EngineFactory& make);
+class WaveIntegrator : public Integrator {
+  public:
+    /// Makes the estimator, whose buffers are to be listed in those given.
+    using MakeEstimator = std::function<std::unique_ptr<Estimator>(RenderBuffers&)>;
+
+    /// What the context refers to outlives it.
+    WaveIntegrator(const IntegratorContext& context, const MakeEstimator& make);
+
+    /// At most two waves are in flight, so that the device need not wait for the host.
+    void render_pass(uint32_t first, uint32_t count,
+                     const std::function<bool(double)>& keep_going) override;
+    uint32_t max_samples() const override;
+
+    Film& film() override { return film_; }
+    const gpu::BuildReport& build_report() const override { return engine_->build_report(); }
+    const RenderBuffers& buffers() const override { return buffers_; }
+    RayCounts ray_counts() const override { return ray_counts_of(engine_->counters()); }
+
+  protected:
+    /// Once the waves of a pass are done.
+    virtual void end_pass() {}
+
+    const RenderOptions& options() const { return options_; }
+    const gpu::Device& device() const { return device_; }
+    const Estimator& estimator() const { return *estimator_; }
+    /// Paths that were started so far.
+    uint64_t paths() const { return paths_; }
+
+  private:
+    void queue_wave(const Wave& wave);
+
+    const gpu::Device& device_;
+    RenderOptions options_;
+    RenderBuffers buffers_;
+    Film film_;
+    std::unique_ptr<Estimator> estimator_;
+    std::unique_ptr<EngineDriver> engine_;
+    uint64_t paths_ = 0;
+};
 
 } // namespace onde

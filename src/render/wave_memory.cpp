@@ -1,28 +1,46 @@
 #include "render/wave_memory.h"
 
+#include "shared/columns.h"
+
 namespace onde {
 namespace {
 
-constexpr uint32_t STATE_LANES = 17, SHADOW_LANES = 10; // as in kernels/wavefront/state.h
+/// Groups at the end may be stored whole, and columns a power of two apart would share cache sets.
+constexpr uint32_t COLUMN_PADDING = 272;
 
-/// Lanes a power of two apart would fall into the same cache sets.
-constexpr uint32_t LANE_PADDING = 272;
+// As kernels/wavefront/wave.h counts them, from the same lists.
+uint32_t moved_columns(const EstimatorShape& estimator) {
+    return estimator.state_columns + 1; // and its index in the wave
+}
+uint32_t work_columns(const EstimatorShape& estimator) {
+    return 1 + COLUMN_COUNT(HIT_COLUMNS) + estimator.connection_columns;
+}
 
 } // namespace
 
-WaveMemory::WaveMemory(gpu::BufferList& buffers, const gpu::DeviceSettings& settings)
-    : stride_(settings.wave_size + LANE_PADDING),
-      state_(buffers.add<float>("path states", size_t(stride_) * STATE_LANES)),
-      next_state_(buffers.add<float>("next path states", settings.queue == gpu::QueueKind::global
-                                                             ? size_t(stride_) * STATE_LANES
-                                                             : 1)),
-      shadow_(buffers.add<float>("shadow rays", size_t(stride_) * SHADOW_LANES)),
-      radiance_(buffers.add<cl_float4>("path radiance", settings.wave_size)),
-      live_(buffers.add<uint32_t>("live counts", settings.wave_size / settings.chunk + 1)) {}
+WaveMemory::WaveMemory(gpu::BufferList& list, const EstimatorShape& estimator,
+                       const gpu::DeviceSettings& settings)
+    : stride_(settings.wave_size + COLUMN_PADDING),
+      state_(list.add<float>("path states", size_t(stride_) * moved_columns(estimator))),
+      work_(list.add<float>("hits and connections", size_t(stride_) * work_columns(estimator))),
+      sums_(list.add<cl_float4>("path sums", settings.wave_size)) {
+    if (settings.launch != gpu::Launch::staged) return;
+    next_state_ = list.add<float>("next path states", size_t(stride_) * moved_columns(estimator));
+    queue_ = list.add<uint32_t>("queue lengths", 2);
+}
 
-void WaveMemory::bind(gpu::Kernel& kernel, uint32_t first, uint32_t bounce, bool swapped) const {
-    kernel.set_from(first, swapped ? next_state_ : state_, swapped ? state_ : next_state_, shadow_,
-                    radiance_, stride_, live_, bounce);
+uint32_t WaveMemory::bind(gpu::Kernel& kernel, uint32_t first) const {
+    return kernel.set_from(first, state_, work_, sums_, stride_);
+}
+
+void WaveMemory::bind_queue(gpu::Kernel& kernel, uint32_t first) const {
+    kernel.set_from(first, next_state_, queue_);
+}
+
+void WaveMemory::set_states(gpu::Kernel& kernel, uint32_t first, uint32_t queue,
+                            uint32_t step) const {
+    kernel.set(first, step % 2 ? next_state_ : state_);
+    kernel.set(queue, step % 2 ? state_ : next_state_);
 }
 
 } // namespace onde

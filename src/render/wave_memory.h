@@ -1,8 +1,9 @@
-// The memory of a wavefront's paths in flight; its layout is kernels/wavefront/state.h.
+// The memory of a wavefront's paths in flight; its layout is kernels/wavefront/wave.h.
 #pragma once
 
 #include "gpu/buffer_list.h"
 #include "gpu/program.h"
+#include "render/estimator.h"
 #include "render/options.h"
 
 #include <CL/cl_platform.h>
@@ -11,18 +12,28 @@ namespace onde {
 
 class WaveMemory {
   public:
-    /// For settings.wave_size paths; a second copy of the state for global queues.
-    WaveMemory(gpu::BufferList& buffers, const gpu::DeviceSettings& settings);
+    /// For settings.wave_size paths of the estimator. Staged launches have a second copy of the
+    /// state, and a queue.
+    WaveMemory(gpu::BufferList& list, const EstimatorShape& estimator,
+               const gpu::DeviceSettings& settings);
 
-    /// Binds STATE_PARAMETERS of kernels/wavefront/queue.h from `first` on. `swapped` exchanges the
-    /// two copies of the state.
-    void bind(gpu::Kernel& kernel, uint32_t first, uint32_t bounce, bool swapped) const;
+    /// Binds WAVE_PARAMETERS from `first` on; returns the next index.
+    uint32_t bind(gpu::Kernel& kernel, uint32_t first) const;
+    /// Binds what staged kernels have besides, from `first` on.
+    void bind_queue(gpu::Kernel& kernel, uint32_t first) const;
+    /// Sets the two copies of the state, which steps take by turns, in a kernel whose
+    /// WAVE_PARAMETERS begin at `first` and whose queue parameters at `queue`.
+    void set_states(gpu::Kernel& kernel, uint32_t first, uint32_t queue, uint32_t step) const;
+
+    /// How many paths are alive, for steps of either parity.
+    const gpu::Buffer<uint32_t>& queue() const { return queue_; }
 
   private:
     uint32_t stride_;
-    gpu::Buffer<float> state_, next_state_, shadow_;
-    gpu::Buffer<cl_float4> radiance_;
-    gpu::Buffer<uint32_t> live_;
+    gpu::Buffer<float> state_, work_;
+    gpu::Buffer<cl_float4> sums_;
+    gpu::Buffer<float> next_state_;
+    gpu::Buffer<uint32_t> queue_;
 };
 
 } // namespace onde

@@ -41,10 +41,7 @@ void resolve_depth(const RenderChoices& choices, const RenderSettings& own,
 /// Waves are rounded up to whole chunks.
 void resolve_settings(const RenderChoices& choices, gpu::DeviceSettings& settings) {
     settings.width = choices.lanes.value_or(settings.width);
-    settings.queue = choices.queue.value_or(settings.queue);
-    if (settings.queue == gpu::QueueKind::global) settings.launch = gpu::Launch::staged;
     settings.launch = choices.launch.value_or(settings.launch);
-    settings.primary_packets = choices.packets.value_or(settings.primary_packets);
     if (choices.interleave) settings.interleave_above = *choices.interleave ? 0 : UINT64_MAX;
     settings.chunk = choices.chunk.value_or(std::max(settings.chunk, settings.width));
     settings.wave_size = choices.wave_size.value_or(settings.wave_size);
@@ -77,7 +74,6 @@ ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene
         check_screen(scene.cameras[options.camera], options.width, options.height);
     options.integrator = choices.integrator.value_or(own.integrator.value_or(options.integrator));
     resolve_depth(choices, own, resolved);
-    options.tree_slots = choices.tree_slots.value_or(options.tree_slots);
     options.engine = choices.engine.value_or(options.engine);
     options.settings = gpu::default_settings(facts);
     resolve_settings(choices, options.settings);

@@ -19,9 +19,8 @@ struct RenderChoices {
     std::string camera; ///< of the scene, by name or number; empty: the first
     std::optional<Engine> engine;
     std::optional<gpu::Launch> launch;
-    std::optional<gpu::QueueKind> queue;
-    std::optional<bool> packets, interleave;
-    std::optional<uint32_t> lanes, wave_size, chunk, tree_slots;
+    std::optional<bool> interleave;
+    std::optional<uint32_t> lanes, wave_size, chunk;
 };
 
 struct ResolvedOptions {

@@ -2,21 +2,30 @@
 
 #include "chapter/raster_depth_buffer.h"
 #include "chapter/raster_painter.h"
+#include "chapter/whitted_estimator.h"
 #include "core/error.h"
 #include "render/light_integrator.h"
 #include "render/wave_integrator.h"
-#include "render/whitted_engine.h"
 
 namespace onde {
+
+static std::unique_ptr<Integrator> make_whitted(const IntegratorContext& context) {
+    const RenderOptions options = with_room_for_nodes(context.options);
+    const IntegratorContext with_room{context.programs, context.description,
+                                      context.scene,    context.camera,
+                                      options,          context.profiler};
+    return std::make_unique<WaveIntegrator>(with_room, [&](RenderBuffers& buffers) {
+        return std::make_unique<WhittedEstimator>(buffers, *context.description, options);
+    });
+}
 
 std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
     switch (context.options.integrator) {
     case IntegratorKind::path:
-        return make_wave_integrator(context, make_engine);
+        return std::make_unique<WaveIntegrator>(
+            context, [](RenderBuffers&) { return std::make_unique<PathEstimator>(); });
     case IntegratorKind::whitted:
-        return make_wave_integrator(context, [&](const EngineContext& engine) {
-            return make_whitted_engine(engine, *context.description);
-        });
+        return make_whitted(context);
     case IntegratorKind::light:
         return make_light_integrator(context);
     case IntegratorKind::depth_buffer:
@@ -27,19 +36,24 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
     throw InputError("this integrator is not known");
 }
 
+static void plan_whitted(RenderBuffers& buffers, const Scene& scene, const RenderOptions& given) {
+    const RenderOptions options = with_room_for_nodes(given);
+    plan_engine(buffers, WhittedEstimator(buffers, scene, options).shape(), options);
+}
+
 MemoryPlan plan_memory(const Scene& scene, const RenderOptions& options,
                        const gpu::DeviceFacts& facts) {
     RenderBuffers buffers;
     plan_film(buffers.film, options);
     switch (options.integrator) {
     case IntegratorKind::path:
-        plan_engine(buffers, options);
+        plan_engine(buffers, PathEstimator().shape(), options);
         break;
     case IntegratorKind::whitted:
-        plan_whitted_engine(buffers, scene, options);
+        plan_whitted(buffers, scene, options);
         break;
     case IntegratorKind::light:
-        plan_light_integrator(buffers, options);
+        plan_engine(buffers, LightEstimator(buffers, scene, options).shape(), options);
         break;
     case IntegratorKind::depth_buffer:
         plan_depth_buffer(buffers, scene, options);

@@ -3,11 +3,11 @@
 // what it has to say are notes.
 #pragma once
 
-#include "render/inspect.h"
 #include "render/memory_plan.h"
 #include "render/render_loop.h"
 #include "render/traversal_cost.h"
 #include "scene/scene.h"
+#include "session/inspect.h"
 
 #include <functional>
 #include <memory>

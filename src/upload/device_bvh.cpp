@@ -4,6 +4,18 @@
 
 namespace onde {
 
+std::string layout_file(BvhLayout layout) {
+    switch (layout) {
+    case BvhLayout::compressed:
+        return "trace/layout_compressed.h";
+    case BvhLayout::binary:
+        return "trace/layout_binary.h";
+    case BvhLayout::wide:
+        break;
+    }
+    return "trace/layout_wide.h";
+}
+
 DeviceBvh::DeviceBvh(const gpu::Device& device, const Bvh& bvh) : root_(bvh.root) {
     const BvhArrays arrays = bvh_arrays(bvh);
 #define ONDE_PLACE(Type, name, words) name##_ = gpu::Buffer<Type>::in_place(device, arrays.name);

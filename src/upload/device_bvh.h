@@ -7,6 +7,9 @@
 
 namespace onde {
 
+/// The kernel text of a layout, which comes before all text that traverses.
+std::string layout_file(BvhLayout layout);
+
 /// Uses the tree's memory in place where the device is a CPU: the tree must outlive it. Move-only.
 class DeviceBvh {
   public:

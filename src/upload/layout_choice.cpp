@@ -64,12 +64,12 @@ std::vector<QueryRay> field_rays() {
     return rays;
 }
 
-double seconds_of(RayQuery& walker, const QueryRays& rays) {
+double seconds_of(RayQuery& query, const QueryRays& rays) {
     double seconds[3];
     for (double& run : seconds) {
         const Timer timer;
-        walker.closest(rays);
-        walker.occluded(rays);
+        query.closest(rays);
+        query.occluded(rays);
         run = timer.seconds();
     }
     std::ranges::sort(seconds);
@@ -85,9 +85,9 @@ std::vector<LayoutRate> measure_layouts(gpu::Programs& programs) {
     const QueryRays rays(programs.device(), set);
     std::vector<LayoutRate> rates;
     for (const auto& [layout, word] : WORDS_OF<BvhLayout>) {
-        RayQuery walker(programs, geometry, {.layout = layout});
-        walker.closest(rays); // for pages and caches to fill
-        rates.push_back({layout, 2e-6 * double(set.size()) / seconds_of(walker, rays)});
+        RayQuery query(programs, geometry, {.layout = layout});
+        query.closest(rays); // for pages and caches to fill
+        rates.push_back({layout, 2e-6 * double(set.size()) / seconds_of(query, rays)});
     }
     return rates;
 }

@@ -19,7 +19,6 @@ std::vector<std::string> SceneFeatures::defines() const {
             fmt::format("ONDE_DIELECTRICS={:d}", dielectrics),
             fmt::format("ONDE_ENVIRONMENT={:d}", environment),
             fmt::format("ONDE_WATERTIGHT={:d}", watertight),
-            fmt::format("ONDE_BVH_LAYOUT={}", uint32_t(layout)),
             fmt::format("ONDE_STACK_SIZE={}", stack_size)};
 }
 

@@ -4,20 +4,22 @@ namespace onde {
 
 namespace {
 
-constexpr size_t MANY = 1u << 20;
-
-gpu::ProgramRequest request(const Bvh& tree, std::vector<std::string> defines) {
-    std::vector<gpu::KernelShape> kernels{{"closest", 64, MANY}, {"occluded", 64, MANY}};
-    if (tree.layout == BvhLayout::wide)
-        for (const char* name :
-             {"closest_packet", "closest_stream", "closest_interleaved", "occluded_stream"})
-            kernels.push_back({name, 4, MANY});
-    defines.push_back(fmt::format("ONDE_STACK_SIZE={}", tree.stack_size));
+gpu::ProgramRequest request(const Bvh& bvh, QueryKernels kernels,
+                            std::vector<std::string> defines) {
+    constexpr size_t MANY = 1u << 20;
+    defines.push_back(fmt::format("ONDE_STACK_SIZE={}", bvh.stack_size));
     defines.push_back("ONDE_INSTANCES=0");
     defines.push_back("ONDE_SPHERES=0");
-    defines.push_back(fmt::format("ONDE_WATERTIGHT={:d}", tree.watertight));
-    defines.push_back(fmt::format("ONDE_BVH_LAYOUT={}", uint32_t(tree.layout)));
-    return {"trace/query.cl", std::move(defines), std::move(kernels)};
+    defines.push_back(fmt::format("ONDE_WATERTIGHT={:d}", bvh.watertight));
+    defines.push_back(fmt::format("ONDE_STREAM_QUERIES={:d}", kernels == QueryKernels::every));
+    gpu::ProgramRequest request{"trace/query.cl",
+                                std::move(defines),
+                                {{"closest", 64, MANY}, {"occluded", 64, MANY}},
+                                {layout_file(bvh.layout)}};
+    if (kernels == QueryKernels::every)
+        for (const char* name : {"closest_stream", "closest_interleaved", "occluded_stream"})
+            request.kernels.push_back({name, 4, MANY});
+    return request;
 }
 
 Bvh build(const Geometry& geometry, const BvhOptions& options) {
@@ -30,9 +32,9 @@ Bvh build(const Geometry& geometry, const BvhOptions& options) {
 } // namespace
 
 RayQuery::RayQuery(gpu::Programs& programs, const Geometry& geometry, const BvhOptions& options,
-                   std::vector<std::string> defines)
+                   QueryKernels kernels, std::vector<std::string> defines)
     : device_(programs.device()), bvh_(build(geometry, options)), tree_(device_, bvh_),
-      program_(programs.build(request(bvh_, std::move(defines)))) {}
+      program_(programs.build(request(bvh_, kernels, std::move(defines)))) {}
 
 template <class Result>
 void RayQuery::launch(const char* name, size_t rays_per_item, const QueryRays& set,

@@ -36,17 +36,19 @@ struct QueryRays {
         : rays(device, set), hits(device, set.size()), blocked(device, set.size()) {}
 };
 
-/// The tree of one geometry of triangles, and its kernels. The programs must outlive it.
+/// The kernels that a query compiles: of single rays, or of ray streams and interleaved rays too,
+/// which the wide layout alone has.
+enum class QueryKernels { single, every };
+
+/// The BVH of one geometry of triangles, and its kernels. The programs must outlive it.
 class RayQuery {
   public:
     RayQuery(gpu::Programs& programs, const Geometry& geometry, const BvhOptions& options,
-             std::vector<std::string> defines = {});
+             QueryKernels kernels = QueryKernels::single, std::vector<std::string> defines = {});
 
-    /// Each launches one kernel over the set and waits for it. Packets, streams and turns
-    /// walk the wide layout only.
+    /// Each launches one kernel over the set and waits for it.
     void closest(const QueryRays& set) { launch("closest", 1, set, set.hits); }
     void occluded(const QueryRays& set) { launch("occluded", 1, set, set.blocked); }
-    void closest_packet(const QueryRays& set) { launch("closest_packet", 16, set, set.hits); }
     void closest_stream(const QueryRays& set) { launch("closest_stream", 16, set, set.hits); }
     void closest_interleaved(const QueryRays& set) {
         launch("closest_interleaved", 16, set, set.hits);

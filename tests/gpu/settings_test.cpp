@@ -30,9 +30,7 @@ TEST_CASE("a CPU runs fused chunks of 256 paths in groups of one") {
     CHECK(settings.wave_size == 65536);
     CHECK(settings.chunk == 256);
     CHECK(settings.local_size == 1);
-    CHECK(settings.queue == QueueKind::chunk_local);
     CHECK(settings.launch == Launch::fused);
-    CHECK(settings.primary_packets);
 }
 
 TEST_CASE("a CPU shades 16 lanes with AVX-512 and 8 without") {
@@ -45,7 +43,6 @@ TEST_CASE("a CPU whose compiler is unknown shades one lane") {
     DeviceFacts facts = cpu(true, true);
     facts.is_pocl = false;
     CHECK(default_settings(facts).width == 1);
-    CHECK_FALSE(default_settings(facts).primary_packets);
     facts.is_intel = true;
     CHECK(default_settings(facts).width == 16);
 }
@@ -69,9 +66,7 @@ TEST_CASE("a GPU runs separate stages, one path per work item, over a large wave
     CHECK(settings.wave_size == 1u << 20);
     CHECK(settings.chunk == 1);
     CHECK(settings.local_size == 64);
-    CHECK(settings.queue == QueueKind::global);
     CHECK(settings.launch == Launch::staged);
-    CHECK_FALSE(settings.primary_packets);
 }
 
 TEST_CASE("chunks are whole groups of lanes and waves are whole chunks") {

@@ -21,7 +21,7 @@ TEST_CASE("every builder's tree gives the hits of the production tree") {
                 Tracer tracer(world, defines, Abilities::all);
                 INFO("builder " << int(builder) << ", watertight " << watertight);
                 CHECK(unlike(tracer.closest(rays), expected) == 0);
-                CHECK(unlike(tracer.closest_packet(rays), expected) == 0);
+                CHECK(unlike(tracer.closest_stream(rays), expected) == 0);
                 CHECK(differences(tracer.occluded(rays), blocked) == 0);
             }
         }

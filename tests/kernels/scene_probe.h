@@ -25,7 +25,8 @@ class SceneProbe {
     SceneProbe(const Scene& description, const std::vector<std::string>& names, uint32_t width = 1,
                const RenderOptions& options = {})
         : world_(description, options),
-          probe_("scene.cl", width, names, world_.scene.packed().features.defines()) {}
+          probe_("scene.cl", width, names, world_.scene.packed().features.defines(),
+                 {layout_file(world_.scene.packed().features.layout)}) {}
 
     const PackedScene& packed() const { return world_.scene.packed(); }
 

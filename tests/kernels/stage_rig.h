@@ -2,31 +2,29 @@
 #pragma once
 
 #include "kernels/scene_probe.h"
+#include "shared/columns.h"
 
 #include <memory>
 
 namespace onde::test {
 
-/// Lanes of a path's state and of its shadow ray, as in kernels/wavefront/state.h.
-enum Lane : uint32_t {
-    ORIGIN = 0,
-    PDF = 3,
-    DIRECTION = 4,
-    ID = 7,
-    THROUGHPUT = 8,
-    ALIVE = 11,
-    HIT_T = 12,
-    HIT_PRIMITIVE = 15,
-    HIT_INSTANCE = 16,
-    STATE_LANES = 17,
+// The places of columns, from the lists that the kernels use.
+#define ONDE_PLACES3(name) name, name##_y, name##_z,
+#define ONDE_PLACE1(name) name,
+/// Of a path's state, what moves with it; the path's index in the wave is the last.
+struct PathColumn {
+    enum : uint32_t { PATH_COLUMNS(ONDE_PLACES3, ONDE_PLACE1, ONDE_PLACE1) id, count };
 };
-enum ShadowLane : uint32_t {
-    SHADOW_ORIGIN = 0,
-    SHADOW_DISTANCE = 3,
-    SHADOW_DIRECTION = 4,
-    SHADOW_RADIANCE = 7,
-    SHADOW_LANES = 10,
+/// Of what lasts from one stage to the next: whether a path goes on, its hit, its connection.
+struct WorkColumn {
+    enum : uint32_t {
+        alive,
+        HIT_COLUMNS(ONDE_PLACES3, ONDE_PLACE1, ONDE_PLACE1)
+            CONNECTION_COLUMNS(ONDE_PLACES3, ONDE_PLACE1, ONDE_PLACE1) count
+    };
 };
+#undef ONDE_PLACES3
+#undef ONDE_PLACE1
 
 /// The memory of a wave on the host, and the stages that read and write it. Slots that no path is
 /// in are full of NaN. Copies have memory of their own and the same program.
@@ -34,23 +32,22 @@ class StageRig {
   public:
     static constexpr uint32_t STRIDE = 64;
 
-    std::vector<float> state = std::vector<float>(STATE_LANES * STRIDE, NAN);
+    std::vector<float> state = std::vector<float>(PathColumn::count * STRIDE, NAN);
     std::vector<float> next_state = state;
-    std::vector<float> shadow = std::vector<float>(SHADOW_LANES * STRIDE, NAN);
-    std::vector<glm::vec4> radiance = std::vector<glm::vec4>(STRIDE);
+    std::vector<float> work = std::vector<float>(WorkColumn::count * STRIDE, NAN);
+    std::vector<glm::vec4> sums = std::vector<glm::vec4>(STRIDE);
     std::vector<uint32_t> counters = std::vector<uint32_t>(COUNTER_SIZE);
     std::vector<uint32_t> invalid = std::vector<uint32_t>(INVALID_SIZE);
-    std::vector<uint32_t> live;
+    std::vector<uint32_t> queue = {4, 0}; ///< live paths, for steps of either parity
     std::vector<glm::vec4> film;
     std::vector<uint32_t> pixel_order;
     uint32_t count = 4, chunk = 16;
     uint32_t first_pixel = 0, first_sample = 0, log2_samples = 0;
 
-    StageRig(const Scene& scene, uint32_t width, bool global_queue = false,
-             const RenderOptions& options = small_film())
-        : live(STRIDE), film(size_t(options.width) * options.height),
+    StageRig(const Scene& scene, uint32_t width, const RenderOptions& options = small_film())
+        : film(size_t(options.width) * options.height),
           pixel_order(onde::pixel_order(options.width, options.height)),
-          stages_(std::make_shared<Stages>(scene, width, global_queue, options)) {}
+          stages_(std::make_shared<Stages>(scene, width, options)) {}
 
     static RenderOptions small_film() {
         RenderOptions options;
@@ -59,59 +56,60 @@ class StageRig {
         return options;
     }
 
-    float& lane(uint32_t k, uint32_t slot) { return state[k * STRIDE + slot]; }
-    float& shadow_lane(uint32_t k, uint32_t slot) { return shadow[k * STRIDE + slot]; }
-    glm::vec3 lanes3(uint32_t k, uint32_t slot) {
-        return {lane(k, slot), lane(k + 1, slot), lane(k + 2, slot)};
+    float& path(uint32_t k, uint32_t slot) { return state[k * STRIDE + slot]; }
+    float& working(uint32_t k, uint32_t slot) { return work[k * STRIDE + slot]; }
+    glm::vec3 path3(uint32_t k, uint32_t slot) {
+        return {path(k, slot), path(k + 1, slot), path(k + 2, slot)};
     }
-    glm::vec3 shadow3(uint32_t k, uint32_t slot) {
-        return {shadow_lane(k, slot), shadow_lane(k + 1, slot), shadow_lane(k + 2, slot)};
+    glm::vec3 working3(uint32_t k, uint32_t slot) {
+        return {working(k, slot), working(k + 1, slot), working(k + 2, slot)};
     }
+    bool is_alive(uint32_t slot) { return from_word(working(WorkColumn::alive, slot)) != 0; }
 
     /// Puts path `id` into a slot.
     void put_path(uint32_t slot, uint32_t id, glm::vec3 origin, glm::vec3 direction,
                   glm::vec3 throughput = glm::vec3(1), float pdf = 0) {
-        put3(state, ORIGIN, slot, origin);
-        put3(state, DIRECTION, slot, direction);
-        put3(state, THROUGHPUT, slot, throughput);
-        lane(PDF, slot) = pdf;
-        lane(ID, slot) = word(id);
+        put3(state, PathColumn::origin, slot, origin);
+        put3(state, PathColumn::direction, slot, direction);
+        put3(state, PathColumn::throughput, slot, throughput);
+        path(PathColumn::pdf, slot) = pdf;
+        path(PathColumn::id, slot) = word(id);
     }
     void put_hit(uint32_t slot, float t, float u, float v, uint32_t primitive) {
-        put3(state, HIT_T, slot, {t, u, v});
-        lane(HIT_PRIMITIVE, slot) = word(primitive);
-        lane(HIT_INSTANCE, slot) = word(BVH_NONE);
+        put3(work, WorkColumn::t, slot, {t, u, v});
+        working(WorkColumn::primitive, slot) = word(primitive);
+        working(WorkColumn::instance, slot) = word(BVH_NONE);
     }
-    void put_shadow_ray(uint32_t slot, glm::vec3 origin, glm::vec3 direction, float distance,
-                        glm::vec3 light) {
-        put3(shadow, SHADOW_ORIGIN, slot, origin);
-        put3(shadow, SHADOW_DIRECTION, slot, direction);
-        put3(shadow, SHADOW_RADIANCE, slot, light);
-        shadow_lane(SHADOW_DISTANCE, slot) = distance;
+    void put_connection(uint32_t slot, glm::vec3 origin, glm::vec3 direction, float distance,
+                        glm::vec3 value) {
+        put3(work, WorkColumn::origin, slot, origin);
+        put3(work, WorkColumn::direction, slot, direction);
+        put3(work, WorkColumn::value, slot, value);
+        working(WorkColumn::distance, slot) = distance;
     }
 
     /// Runs a stage on what the vectors hold and reads back what it left.
-    void run(const std::string& stage, uint32_t bounce = 0) {
+    void run(const std::string& stage, uint32_t step = 0) {
         const gpu::Buffer<float> on_state = upload(state), on_next = upload(next_state);
-        const gpu::Buffer<float> on_shadow = upload(shadow);
-        const gpu::Buffer<glm::vec4> on_radiance = upload(radiance), on_film = upload(film);
+        const gpu::Buffer<float> on_work = upload(work);
+        const gpu::Buffer<glm::vec4> on_sums = upload(sums), on_film = upload(film);
         const gpu::Buffer<uint32_t> on_counters = upload(counters), on_invalid = upload(invalid);
-        const gpu::Buffer<uint32_t> on_live = upload(live), on_order = upload(pixel_order);
+        const gpu::Buffer<uint32_t> on_queue = upload(queue), on_order = upload(pixel_order);
         gpu::Kernel& kernel = stages_->program.kernel(stage);
-        kernel.set_from(0, count, stages_->world.frame);
-        const uint32_t job = stages_->world.scene.bind(kernel, 2);
-        const uint32_t wave = kernel.set_from(job, on_counters, on_invalid, on_film, on_order,
-                                              chunk, first_pixel, first_sample, log2_samples);
-        kernel.set_from(wave, on_state, on_next, on_shadow, on_radiance, STRIDE, on_live, bounce);
+        const uint32_t scene = kernel.set_from(0, count, chunk, first_pixel, first_sample,
+                                               log2_samples, step, stages_->world.frame);
+        const uint32_t job = stages_->world.scene.bind(kernel, scene);
+        kernel.set_from(job, on_counters, on_invalid, on_film, on_order, on_state, on_work, on_sums,
+                        STRIDE, on_next, on_queue);
         kernel.launch((count + chunk - 1) / chunk);
         state = on_state.read(device());
         next_state = on_next.read(device());
-        shadow = on_shadow.read(device());
-        radiance = on_radiance.read(device());
+        work = on_work.read(device());
+        sums = on_sums.read(device());
         film = on_film.read(device());
         counters = on_counters.read(device());
         invalid = on_invalid.read(device());
-        live = on_live.read(device());
+        queue = on_queue.read(device());
     }
 
     /// Runs the kernel that ends a wave; returns the totals.
@@ -131,23 +129,25 @@ class StageRig {
         SceneOnDevice world;
         gpu::Program program;
 
-        Stages(const Scene& scene, uint32_t width, bool global_queue, const RenderOptions& options)
+        Stages(const Scene& scene, uint32_t width, const RenderOptions& options)
             : world(scene, options),
-              program(programs().build(request(world.scene.packed(), width, global_queue))) {}
+              program(programs().build(request(world.scene.packed(), width))) {}
 
-        static gpu::ProgramRequest request(const PackedScene& scene, uint32_t width, bool global) {
-            gpu::ProgramRequest request{"wavefront/staged.cl", scene.features.defines(), {}};
+        static gpu::ProgramRequest request(const PackedScene& scene, uint32_t width) {
+            gpu::ProgramRequest request{"wavefront/staged.cl",
+                                        scene.features.defines(),
+                                        {},
+                                        {layout_file(scene.features.layout), "path/estimator.h"}};
             request.defines.push_back(fmt::format("ONDE_WIDTH={}", width));
-            request.defines.push_back(fmt::format("ONDE_GLOBAL_QUEUE={:d}", global));
             for (const char* name :
-                 {"generate", "intersect", "shade", "shadow_test", "extend", "accumulate", "tally"})
+                 {"generate", "intersect", "shade", "connect", "extend", "accumulate", "tally"})
                 request.kernels.push_back({name, 1});
             return request;
         }
     };
 
-    static void put3(std::vector<float>& lanes, uint32_t k, uint32_t slot, glm::vec3 a) {
-        for (uint32_t i = 0; i < 3; i++) lanes[(k + i) * STRIDE + slot] = a[i];
+    static void put3(std::vector<float>& columns, uint32_t k, uint32_t slot, glm::vec3 a) {
+        for (uint32_t i = 0; i < 3; i++) columns[(k + i) * STRIDE + slot] = a[i];
     }
 
     template <class T>

@@ -41,12 +41,11 @@ double pmf(uint32_t kind) {
     return 0;
 }
 
-/// A rig with an empty wave. Its program is compiled once for each width and queue.
-StageRig fresh_rig(uint32_t width, bool global = false) {
-    static std::map<std::pair<uint32_t, bool>, StageRig> rigs;
-    const auto key = std::pair(width, global);
-    if (!rigs.contains(key)) rigs.emplace(key, StageRig(room(), width, global));
-    return rigs.at(key);
+/// A rig with an empty wave. Its program is compiled once for each width.
+StageRig fresh_rig(uint32_t width) {
+    static std::map<uint32_t, StageRig> rigs;
+    if (!rigs.contains(width)) rigs.emplace(width, StageRig(room(), width));
+    return rigs.at(width);
 }
 
 void check_near(glm::dvec3 got, glm::dvec3 wanted, double bound = 1e-5) {
@@ -82,14 +81,14 @@ void put_on_floor(StageRig& rig, uint32_t slot, uint32_t id, float x, float z,
 }
 
 /// Forty paths, of which about a third go on; path 39 - i is in slot i.
-StageRig rig_to_extend(uint32_t width, bool global) {
-    StageRig rig = fresh_rig(width, global);
+StageRig rig_to_extend(uint32_t width) {
+    StageRig rig = fresh_rig(width);
     rig.count = 40;
     for (uint32_t i = 0; i < rig.count; i++) {
         const auto x = float(i);
         rig.put_path(i, 39 - i, {x, x + 0.25f, x + 0.5f}, {-x, -x - 0.25f, -x - 0.5f},
                      {2 * x, 2 * x + 1, 2 * x + 2}, 100 + x);
-        rig.lane(ALIVE, i) = word(i % 3 == 1 || (i >= 16 && i < 20));
+        rig.working(WorkColumn::alive, i) = word(i % 3 == 1 || (i >= 16 && i < 20));
     }
     return rig;
 }
@@ -97,7 +96,7 @@ StageRig rig_to_extend(uint32_t width, bool global) {
 /// The words of a slot that move with its path, as bits.
 std::vector<uint32_t> path_words(const std::vector<float>& state, uint32_t slot) {
     std::vector<uint32_t> words;
-    for (uint32_t k = 0; k < ALIVE; k++)
+    for (uint32_t k = 0; k < PathColumn::count; k++)
         words.push_back(from_word(state[k * StageRig::STRIDE + slot]));
     return words;
 }
@@ -113,25 +112,24 @@ TEST_CASE("generate starts every sample of every pixel at the camera") {
         rig.count = 10;
         rig.log2_samples = 1;
         rig.first_pixel = 3;
-        rig.radiance.assign(StageRig::STRIDE, glm::vec4(7));
+        rig.sums.assign(StageRig::STRIDE, glm::vec4(7));
         rig.run("generate");
         for (uint32_t i = 0; i < rig.count; i++) {
-            CHECK(from_word(rig.lane(ID, i)) == i);
-            CHECK(rig.lane(PDF, i) == 0);
-            CHECK(rig.lanes3(ORIGIN, i) == glm::vec3(0));
-            CHECK(rig.lanes3(THROUGHPUT, i) == glm::vec3(1));
-            CHECK(rig.radiance[i] == glm::vec4(0));
+            CHECK(from_word(rig.path(PathColumn::id, i)) == i);
+            CHECK(rig.path(PathColumn::pdf, i) == 0);
+            CHECK(rig.path3(PathColumn::origin, i) == glm::vec3(0));
+            CHECK(rig.path3(PathColumn::throughput, i) == glm::vec3(1));
+            CHECK(rig.sums[i] == glm::vec4(0));
             // The default camera sees 0.7 radians over the film's height of 4 pixels.
             const uint32_t pixel = rig.pixel_order[3 + i / 2];
-            const glm::vec3 d = rig.lanes3(DIRECTION, i);
+            const glm::vec3 d = rig.path3(PathColumn::direction, i);
             const double scale = 2 / std::tan(0.35);
             CHECK(2 + d.x / -d.z * scale == Approx(double(pixel & 0xffff) + 0.5).margin(0.501));
             CHECK(2 - d.y / -d.z * scale == Approx(double(pixel >> 16) + 0.5).margin(0.501));
         }
-        CHECK(rig.lanes3(DIRECTION, 0) != rig.lanes3(DIRECTION, 1));
-        CHECK(rig.radiance[rig.count] == glm::vec4(7));
-        CHECK(rig.live[0] == rig.count);
-        CHECK(rig.counters[COUNTER_EXTENSION * COUNTER_BOUNCES] == rig.count);
+        CHECK(rig.path3(PathColumn::direction, 0) != rig.path3(PathColumn::direction, 1));
+        CHECK(rig.sums[rig.count] == glm::vec4(7));
+        CHECK(rig.queue == std::vector<uint32_t>{rig.count, 0});
     }
 }
 
@@ -146,64 +144,65 @@ TEST_CASE("generate gives the samples of a wave the rays that they have in any o
     second.first_sample = 3;
     second.run("generate");
     for (uint32_t k = 0; k < 3; k++)
-        CHECK(second.lane(DIRECTION + k, 0) == first.lane(DIRECTION + k, 11));
+        CHECK(second.path(PathColumn::direction + k, 0) ==
+              first.path(PathColumn::direction + k, 11));
 }
 
 TEST_CASE("intersect finds what each ray meets first") {
     for (uint32_t width : WIDTHS) {
         INFO("width " << width);
         StageRig rig = fresh_rig(width);
-        rig.live[0] = 4;
         rig.put_path(0, 0, {1, 2, -3}, DOWN);
         rig.put_path(1, 1, {0, 2, 0}, UP);
         rig.put_path(2, 2, {0, 9, 0}, DOWN);
         rig.put_path(3, 3, {0, 2, 0}, {1, 0, 0});
         rig.run("intersect");
+        CHECK(rig.counters[COUNTER_EXTENSION * COUNTER_BOUNCES] == 4);
+        CHECK(rig.queue == std::vector<uint32_t>{4, 0});
         const uint32_t wanted[] = {FLOOR, LAMP, LAMP, BVH_NONE};
         const float distance[] = {2, 6, 1};
-        for (uint32_t i = 0; i < 4; i++) CHECK(from_word(rig.lane(HIT_PRIMITIVE, i)) == wanted[i]);
-        for (uint32_t i = 0; i < 3; i++) CHECK(rig.lane(HIT_T, i) == Approx(distance[i]));
-        const float u = rig.lane(HIT_T + 1, 0), v = rig.lane(HIT_T + 2, 0);
+        for (uint32_t i = 0; i < 4; i++)
+            CHECK(from_word(rig.working(WorkColumn::primitive, i)) == wanted[i]);
+        for (uint32_t i = 0; i < 3; i++)
+            CHECK(rig.working(WorkColumn::t, i) == Approx(distance[i]));
+        const float u = rig.working(WorkColumn::u, 0), v = rig.working(WorkColumn::v, 0);
         check_near(glm::vec3(-9, 0, -9) * (1 - u - v) + glm::vec3(0, 0, 9) * u +
                        glm::vec3(9, 0, -9) * v,
                    {1, 0, -3});
     }
 }
 
-TEST_CASE("shade sends a shadow ray and a next ray from a diffuse floor, by the closed forms") {
+TEST_CASE("shade sends a connection and a next ray from a diffuse floor, by the closed forms") {
     bool seen[3] = {};
     for (uint32_t width : WIDTHS)
         for (uint32_t pixel = 0; pixel < 12; pixel += 4) {
             INFO("width " << width << ", pixels from " << pixel);
             StageRig rig = fresh_rig(width);
-            rig.live[0] = 4;
             rig.first_pixel = pixel;
             const glm::vec3 throughput(0.5f, 1, 2);
             for (uint32_t i = 0; i < 4; i++)
                 put_on_floor(rig, i, 3 - i, float(i) - 1.5f, 0.5f * float(i), throughput);
             rig.run("shade");
-            uint32_t shadow_rays = 0;
             for (uint32_t i = 0; i < 4; i++) {
                 const glm::dvec3 position(double(i) - 1.5, 0, 0.5 * double(i));
-                CHECK(rig.radiance[i] == glm::vec4(0));
+                CHECK(rig.sums[i] == glm::vec4(0));
 
-                const glm::dvec3 direction(rig.shadow3(SHADOW_DIRECTION, i));
-                const double distance = double(rig.shadow_lane(SHADOW_DISTANCE, i)) / (1 - 1e-4);
+                const glm::dvec3 direction(rig.working3(WorkColumn::direction, i));
+                const double distance = double(rig.working(WorkColumn::distance, i)) / (1 - 1e-4);
                 const glm::dvec3 light = direct_light(position, direction, distance);
-                check_near(rig.shadow3(SHADOW_ORIGIN, i), position, 1e-4);
-                check_near(rig.shadow3(SHADOW_RADIANCE, i), glm::dvec3(throughput) * light, 1e-3);
-                shadow_rays += distance > 0;
+                check_near(rig.working3(WorkColumn::origin, i), position, 1e-4);
+                check_near(rig.working3(WorkColumn::value, i), glm::dvec3(throughput) * light,
+                           1e-3);
                 seen[distance > 1e20 ? 0 : distance < 4.5 ? 1 : 2] = true;
 
-                const glm::vec3 next = rig.lanes3(DIRECTION, i);
+                const glm::vec3 next = rig.path3(PathColumn::direction, i);
                 CHECK(next.y > 0);
                 CHECK(glm::length(next) == Approx(1).epsilon(1e-6));
-                CHECK(rig.lane(PDF, i) == Approx(next.y / M_PI).epsilon(1e-4));
-                check_near(rig.lanes3(THROUGHPUT, i), glm::dvec3(throughput * ALBEDO));
-                check_near(rig.lanes3(ORIGIN, i), position, 1e-4);
-                CHECK(from_word(rig.lane(ALIVE, i)) == 1);
+                CHECK(rig.path(PathColumn::pdf, i) == Approx(next.y / M_PI).epsilon(1e-4));
+                check_near(rig.path3(PathColumn::throughput, i), glm::dvec3(throughput * ALBEDO));
+                check_near(rig.path3(PathColumn::origin, i), position, 1e-4);
+                CHECK(rig.is_alive(i));
             }
-            CHECK(rig.counters[COUNTER_SHADOW * COUNTER_BOUNCES] == shadow_rays);
         }
     CHECK((seen[0] && seen[1] && seen[2])); // sky, point and lamp were chosen
 }
@@ -212,7 +211,6 @@ TEST_CASE("shade adds the light that paths find, weighted against having sampled
     for (uint32_t width : WIDTHS) {
         INFO("width " << width);
         StageRig rig = fresh_rig(width);
-        rig.live[0] = 4;
         const glm::vec3 throughput(0.5f, 1, 2);
         rig.put_path(0, 2, {0, 2, 0}, {0, 0, -1}, throughput, 0); // past everything
         rig.put_hit(0, NAN, NAN, NAN, BVH_NONE);
@@ -227,114 +225,92 @@ TEST_CASE("shade adds the light that paths find, weighted against having sampled
             return own * own / (own * own + other * other);
         };
         const glm::dvec3 sky(throughput * SKY), lamp(throughput * EMISSION);
-        check_near(glm::vec3(rig.radiance[2]), sky);
-        check_near(glm::vec3(rig.radiance[0]),
+        check_near(glm::vec3(rig.sums[2]), sky);
+        check_near(glm::vec3(rig.sums[0]),
                    sky * weight(double(0.1f), pmf(LIGHT_ENVIRONMENT) / (4 * M_PI)), 1e-4);
-        check_near(glm::vec3(rig.radiance[3]),
+        check_near(glm::vec3(rig.sums[3]),
                    lamp * weight(double(0.2f), pmf(LIGHT_TRIANGLE) * 36 / LAMP_AREA), 1e-4);
-        check_near(glm::vec3(rig.radiance[1]), {0, 0, 0});
+        check_near(glm::vec3(rig.sums[1]), {0, 0, 0});
         for (uint32_t i = 0; i < 4; i++) {
-            CHECK(from_word(rig.lane(ALIVE, i)) == 0); // the lamp is black
-            CHECK(rig.shadow_lane(SHADOW_DISTANCE, i) == 0);
+            CHECK(!rig.is_alive(i)); // the lamp is black
+            CHECK(rig.working(WorkColumn::distance, i) == 0);
         }
-        CHECK(rig.counters[COUNTER_SHADOW * COUNTER_BOUNCES] == 0);
     }
 }
 
 TEST_CASE("shade ends every path at the last surface that it may visit") {
     for (uint32_t width : WIDTHS) {
         StageRig rig = fresh_rig(width);
-        rig.live[0] = rig.count = 1;
+        rig.queue[(RenderOptions().depth - 1) % 2] = rig.count = 1;
         put_on_floor(rig, 0, 0, 0, 0);
         rig.run("shade", RenderOptions().depth - 1);
-        CHECK(from_word(rig.lane(ALIVE, 0)) == 0);
-        CHECK(rig.shadow_lane(SHADOW_DISTANCE, 0) == 0);
+        CHECK(!rig.is_alive(0));
+        CHECK(rig.working(WorkColumn::distance, 0) == 0);
     }
 }
 
 TEST_CASE("shade makes the survivors of roulette carry more") {
     StageRig rig = fresh_rig(16);
-    rig.live[0] = rig.count = 16;
+    rig.queue[RenderOptions().roulette_start % 2] = rig.count = 16;
     for (uint32_t i = 0; i < 16; i++) put_on_floor(rig, i, i, 0, 0, glm::vec3(0.5f));
     rig.run("shade", RenderOptions().roulette_start);
     uint32_t alive = 0;
     for (uint32_t i = 0; i < 16; i++) {
-        alive += from_word(rig.lane(ALIVE, i));
+        alive += rig.is_alive(i);
         // The largest component, 0.5, is the probability of surviving.
-        check_near(rig.lanes3(THROUGHPUT, i), glm::dvec3(ALBEDO));
+        check_near(rig.path3(PathColumn::throughput, i), glm::dvec3(ALBEDO));
     }
     CHECK((alive > 0 && alive < 16));
 }
 
-TEST_CASE("shadow_test adds light where nothing is in the way") {
+TEST_CASE("connect adds light where nothing is in the way, and counts the rays") {
     for (uint32_t width : WIDTHS) {
         INFO("width " << width);
         StageRig rig = fresh_rig(width);
-        rig.live[0] = 4;
         for (uint32_t i = 0; i < 4; i++) rig.put_path(i, 3 - i, {}, UP);
-        rig.radiance[3] = glm::vec4(10, 20, 30, 0);
-        rig.put_shadow_ray(0, {0, 1, 0}, UP, 6.9f, {1, 2, 3});    // short of the lamp
-        rig.put_shadow_ray(1, {0, 1, 0}, UP, 7.1f, {1, 2, 3});    // behind it
-        rig.put_shadow_ray(2, {0, 1, 0}, UP, 0, {NAN, NAN, NAN}); // no ray
-        rig.put_shadow_ray(3, {5, 1, 0}, UP, 1e30f, {4, 5, 6});
-        rig.run("shadow_test");
-        CHECK(rig.radiance[3] == glm::vec4(11, 22, 33, 0));
-        CHECK(rig.radiance[2] == glm::vec4(0));
-        CHECK(rig.radiance[1] == glm::vec4(0));
-        CHECK(rig.radiance[0] == glm::vec4(4, 5, 6, 0));
+        rig.sums[3] = glm::vec4(10, 20, 30, 0);
+        rig.put_connection(0, {0, 1, 0}, UP, 6.9f, {1, 2, 3});    // short of the lamp
+        rig.put_connection(1, {0, 1, 0}, UP, 7.1f, {1, 2, 3});    // behind it
+        rig.put_connection(2, {0, 1, 0}, UP, 0, {NAN, NAN, NAN}); // no ray
+        rig.put_connection(3, {5, 1, 0}, UP, 1e30f, {4, 5, 6});
+        rig.run("connect");
+        CHECK(rig.counters[COUNTER_SHADOW * COUNTER_BOUNCES] == 3);
+        CHECK(rig.sums[3] == glm::vec4(11, 22, 33, 0));
+        CHECK(rig.sums[2] == glm::vec4(0));
+        CHECK(rig.sums[1] == glm::vec4(0));
+        CHECK(rig.sums[0] == glm::vec4(4, 5, 6, 0));
     }
 }
 
-TEST_CASE("extend with chunk-local queues compacts each chunk in its order") {
+TEST_CASE("extend packs all that go on into the other state") {
     for (uint32_t width : WIDTHS) {
         INFO("width " << width);
-        StageRig rig = rig_to_extend(width, false);
-        rig.live = {16, 14, 8}; // the last two of the second chunk have ended before
-        rig.live.resize(StageRig::STRIDE);
-        const StageRig before = rig;
-        rig.run("extend", 2);
-        uint32_t total = 0;
-        for (uint32_t c = 0; c < 3; c++) {
-            uint32_t next = c * 16;
-            for (uint32_t i = c * 16; i < c * 16 + before.live[c]; i++)
-                if (from_word(before.state[ALIVE * StageRig::STRIDE + i]))
-                    CHECK(path_words(rig.state, next++) == path_words(before.state, i));
-            CHECK(rig.live[c] == next - c * 16);
-            total += rig.live[c];
-        }
-        CHECK(rig.counters[COUNTER_EXTENSION * COUNTER_BOUNCES + 3] == total);
-        for (uint32_t i = 40; i < StageRig::STRIDE; i++) CHECK(std::isnan(rig.lane(PDF, i)));
-    }
-}
-
-TEST_CASE("extend with a global queue packs all that go on into the other state") {
-    for (uint32_t width : WIDTHS) {
-        INFO("width " << width);
-        StageRig rig = rig_to_extend(width, true);
-        rig.counters[COUNTER_EXTENSION * COUNTER_BOUNCES + 2] = 38; // the last two have ended
+        StageRig rig = rig_to_extend(width);
+        rig.queue = {38, 0}; // the last two have ended
         const StageRig before = rig;
         rig.run("extend", 2);
         std::vector<std::vector<uint32_t>> got, wanted;
         for (uint32_t i = 0; i < 38; i++)
-            if (from_word(before.state[ALIVE * StageRig::STRIDE + i]))
+            if (from_word(before.work[WorkColumn::alive * StageRig::STRIDE + i]))
                 wanted.push_back(path_words(before.state, i));
         for (uint32_t i = 0; i < wanted.size(); i++) got.push_back(path_words(rig.next_state, i));
         std::ranges::sort(got);
         std::ranges::sort(wanted);
         CHECK(got == wanted);
-        CHECK(rig.counters[COUNTER_EXTENSION * COUNTER_BOUNCES + 3] == wanted.size());
-        CHECK(std::isnan(rig.next_state[PDF * StageRig::STRIDE + wanted.size()]));
+        CHECK(rig.queue[1] == wanted.size());
+        CHECK(std::isnan(rig.next_state[PathColumn::pdf * StageRig::STRIDE + wanted.size()]));
     }
 }
 
-TEST_CASE("stages with a global queue work on as many slots as its counter says") {
+TEST_CASE("stages work on as many slots as the queue of their step says") {
     for (uint32_t width : WIDTHS) {
-        StageRig rig = fresh_rig(width, true);
+        StageRig rig = fresh_rig(width);
         rig.count = 40;
-        rig.counters[COUNTER_EXTENSION * COUNTER_BOUNCES + 1] = 33;
+        rig.queue = {0, 33};
         for (uint32_t i = 0; i < 40; i++) rig.put_path(i, i, {0, 2, 0}, DOWN);
         rig.run("intersect", 1);
-        for (uint32_t i = 0; i < 33; i++) CHECK(from_word(rig.lane(HIT_PRIMITIVE, i)) == FLOOR);
+        for (uint32_t i = 0; i < 33; i++)
+            CHECK(from_word(rig.working(WorkColumn::primitive, i)) == FLOOR);
     }
 }
 
@@ -346,15 +322,15 @@ TEST_CASE("accumulate adds the samples of a pixel in their order and rejects wha
     rig.first_sample = 8;
     Generator generator(81);
     for (uint32_t i = 0; i < rig.count; i++)
-        rig.radiance[i] = {unit(generator), 1e6f * unit(generator), unit(generator), 0};
-    rig.radiance[5].y = NAN;
-    rig.radiance[6].x = INFINITY;
+        rig.sums[i] = {unit(generator), 1e6f * unit(generator), unit(generator), 0};
+    rig.sums[5].y = NAN;
+    rig.sums[6].x = INFINITY;
     rig.film[0] = glm::vec4(1, 2, 3, 4);
     std::vector<glm::vec4> wanted = rig.film;
     for (uint32_t i = 0; i < rig.count; i++) {
         const uint32_t pixel = rig.pixel_order[1 + i / 4];
         if (i == 5 || i == 6) continue;
-        wanted[(pixel >> 16) * 4 + (pixel & 0xffff)] += glm::vec4(glm::vec3(rig.radiance[i]), 1);
+        wanted[(pixel >> 16) * 4 + (pixel & 0xffff)] += glm::vec4(glm::vec3(rig.sums[i]), 1);
     }
     rig.run("accumulate");
     for (size_t i = 0; i < wanted.size(); i++) {

@@ -55,19 +55,15 @@ class Tracer {
     std::vector<Hit> closest(std::span<const Ray> rays) {
         return trace<Hit>("closest", rays, rays.size());
     }
-    std::vector<Hit> closest_packet(std::span<const Ray> rays) {
-        return trace<Hit>("closest_packet", rays, (rays.size() + 15) / 16);
-    }
     std::vector<Hit> closest_stream(std::span<const Ray> rays) {
         return trace<Hit>("closest_stream", rays, (rays.size() + 15) / 16);
     }
     std::vector<Hit> closest_interleaved(std::span<const Ray> rays) {
         return trace<Hit>("closest_interleaved", rays, (rays.size() + 15) / 16);
     }
-    /// What each of the walks finds: single rays, packets, streams, turns.
-    std::array<std::vector<Hit>, 4> closest_by_all(std::span<const Ray> rays) {
-        return {closest(rays), closest_packet(rays), closest_stream(rays),
-                closest_interleaved(rays)};
+    /// What each of the traversals finds: single rays, streams, interleaved rays.
+    std::array<std::vector<Hit>, 3> closest_by_all(std::span<const Ray> rays) {
+        return {closest(rays), closest_stream(rays), closest_interleaved(rays)};
     }
     std::vector<uint32_t> occluded(std::span<const Ray> rays) {
         return trace<uint32_t>("occluded", rays, rays.size());
@@ -85,13 +81,14 @@ class Tracer {
         defines.push_back(fmt::format("ONDE_STACK_SIZE={}", stack));
         defines.push_back(fmt::format("ONDE_INSTANCES={:d}", all || bvh.has_instances));
         defines.push_back(fmt::format("ONDE_SPHERES={:d}", all || !bvh.spheres.empty()));
-        defines.push_back(fmt::format("ONDE_BVH_LAYOUT={}", uint32_t(bvh.layout)));
+        const bool wide = bvh.layout == BvhLayout::wide;
+        defines.push_back(fmt::format("ONDE_STREAM_QUERIES={:d}", wide));
         std::vector<KernelShape> kernels{{"closest", 64}, {"occluded", 64}};
-        if (bvh.layout == BvhLayout::wide)
-            for (const char* name :
-                 {"closest_packet", "closest_stream", "closest_interleaved", "occluded_stream"})
+        if (wide)
+            for (const char* name : {"closest_stream", "closest_interleaved", "occluded_stream"})
                 kernels.push_back({name, 1});
-        return {"trace/query.cl", std::move(defines), std::move(kernels)};
+        return {
+            "trace/query.cl", std::move(defines), std::move(kernels), {layout_file(bvh.layout)}};
     }
 
     template <class Result>

@@ -47,7 +47,7 @@ TEST_CASE("a million rays at a scanned bunny hit what Embree says") {
                                                random_rays(510000, 11, 1.0f)));
 }
 
-TEST_CASE("packets, streams and turns answer like single rays, bit for bit") {
+TEST_CASE("streams and interleaved rays answer like single rays, bit for bit") {
     const std::vector<Ray> rays = varied_rays();
     Soup mixed = random_triangles(2000, 0.1f, 12);
     mixed.spheres = random_spheres(300, 0.1f, 13).spheres;
@@ -62,7 +62,7 @@ TEST_CASE("packets, streams and turns answer like single rays, bit for bit") {
         }
 }
 
-TEST_CASE("streams and turns keep each ray's own interval") {
+TEST_CASE("streams and interleaved rays keep each ray's own interval") {
     std::vector<Ray> rays = varied_rays();
     Generator generator(51);
     for (Ray& ray : rays) {

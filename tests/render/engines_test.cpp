@@ -1,4 +1,4 @@
-// The engines, widths, queues and splits are different ways to the same bits.
+// The engines, widths, launches and splits are different ways to the same bits.
 #include "render/picture.h"
 #include "render/variants.h"
 
@@ -11,7 +11,7 @@ Scene five_objects() {
 
 } // namespace
 
-TEST_CASE("every engine, width and queue renders every scene with the same bits") {
+TEST_CASE("every engine, width and launch renders every scene with the same bits") {
     for (const auto& path : project_scenes()) {
         const Scene scene = load_scene(path);
         const DeviceScene placed = place_on_device(scene);
@@ -51,7 +51,6 @@ TEST_CASE("the picture does not depend on the wave size, the chunk or the sample
     check(64, 16, 2);
     options.settings.launch = gpu::Launch::staged;
     check(4096, 16, 8);
-    options.settings.queue = gpu::QueueKind::global;
     check(256, 16, 4);
 }
 

@@ -1,6 +1,6 @@
 // A replayed sample is the rendered sample, bit for bit, and its tree adds up.
-#include "render/inspect.h"
 #include "render/picture.h"
+#include "session/inspect.h"
 #include "session/integrators.h"
 
 namespace onde::test {

@@ -77,7 +77,6 @@ TEST_CASE("options out of range are refused with a sentence") {
     refuse([](RenderOptions& o) { o.depth = 1024; }, "depth");
     refuse([](RenderOptions& o) { o.settings.width = 4; }, "lanes");
     refuse([](RenderOptions& o) { o.settings.chunk = 24; }, "chunk");
-    refuse([](RenderOptions& o) { o.settings.queue = gpu::QueueKind::global; }, "fused");
 }
 
 } // namespace onde::test

@@ -15,38 +15,27 @@ struct Variant {
     const char* name;
     Engine engine;
     gpu::Launch launch;
-    gpu::QueueKind queue;
     uint32_t width;
-    bool packets;
-    bool turns = false;
+    bool interleaved = false;
 };
 
 /// Every width in the fused engine, one that is quick to compile in the others.
 inline constexpr Variant VARIANTS[] = {
-    {"fused, 16 lanes, packets", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local,
-     16, true},
-    {"fused, 8 lanes, packets", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local,
-     8, true},
-    {"fused, 1 lane", Engine::wavefront, gpu::Launch::fused, gpu::QueueKind::chunk_local, 1, false},
-    {"staged, 8 lanes, turns", Engine::wavefront, gpu::Launch::staged, gpu::QueueKind::chunk_local,
-     8, false, true},
-    {"staged, global queue, 8 lanes", Engine::wavefront, gpu::Launch::staged,
-     gpu::QueueKind::global, 8, false},
-    {"staged, global queue, 1 lane", Engine::wavefront, gpu::Launch::staged, gpu::QueueKind::global,
-     1, false},
-    {"megakernel, 8 lanes", Engine::megakernel, gpu::Launch::fused, gpu::QueueKind::chunk_local, 8,
-     false},
-    {"megakernel, 1 lane", Engine::megakernel, gpu::Launch::fused, gpu::QueueKind::chunk_local, 1,
-     false},
+    {"fused, 16 lanes", Engine::wavefront, gpu::Launch::fused, 16},
+    {"fused, 8 lanes", Engine::wavefront, gpu::Launch::fused, 8},
+    {"fused, 8 lanes, interleaved", Engine::wavefront, gpu::Launch::fused, 8, true},
+    {"fused, 1 lane", Engine::wavefront, gpu::Launch::fused, 1},
+    {"staged, 8 lanes", Engine::wavefront, gpu::Launch::staged, 8},
+    {"staged, 1 lane", Engine::wavefront, gpu::Launch::staged, 1},
+    {"megakernel, 8 lanes", Engine::megakernel, gpu::Launch::fused, 8},
+    {"megakernel, 1 lane", Engine::megakernel, gpu::Launch::fused, 1},
 };
 
 inline RenderOptions apply(RenderOptions options, const Variant& variant) {
     options.engine = variant.engine;
     options.settings.launch = variant.launch;
-    options.settings.queue = variant.queue;
     options.settings.width = variant.width;
-    options.settings.primary_packets = variant.packets;
-    options.settings.interleave_above = variant.turns ? 0 : UINT64_MAX;
+    options.settings.interleave_above = variant.interleaved ? 0 : UINT64_MAX;
     return options;
 }
 

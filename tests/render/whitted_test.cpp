@@ -1,8 +1,8 @@
 // The Whitted integrator's engines are different ways to the same bits, and no ray is ever lost.
+#include "chapter/whitted_scene.h"
 #include "render/picture.h"
 #include "render/variants.h"
 #include "shared/whitted.h"
-#include "upload/whitted.h"
 
 namespace onde::test {
 namespace {
@@ -42,7 +42,6 @@ TEST_CASE("every engine, width and launch makes the same ray trees of every scen
         const RenderOptions options = whitted_options(scene, 2);
         const Picture expected = render_by(scene, placed, apply(options, VARIANTS[0]));
         for (const Variant& variant : VARIANTS) {
-            if (variant.queue == gpu::QueueKind::global) continue; // trees know only chunks
             INFO(path.filename().string() << ", " << variant.name);
             const Picture picture = render_by(scene, placed, apply(options, variant));
             CHECK(first_difference(expected.image, picture.image) == "");
@@ -53,20 +52,19 @@ TEST_CASE("every engine, width and launch makes the same ray trees of every scen
     }
 }
 
-TEST_CASE("trees that overflow their memory are cut into smaller waves, and no ray is lost") {
+TEST_CASE("a ray tree is the same in waves and chunks of any size") {
     const Scene scene = mirrors_and_glass();
     const DeviceScene placed = place_on_device(scene);
     RenderOptions options = whitted_options(scene, 4);
-    options.tree_slots = 256;
     const Picture expected = render_by(scene, placed, options);
     REQUIRE(expected.rays.extension.size() >= 6); // deep trees, or nothing is tested
     for (const auto launch : {gpu::Launch::fused, gpu::Launch::staged})
-        for (const uint32_t slots : {1, 3, 16})
+        for (const uint32_t wave_size : {256u, 4096u})
             for (const uint32_t chunk : {16u, 256u}) {
-                INFO(slots << " slots a path, " << chunk << " paths a work item");
+                INFO("waves of " << wave_size << ", " << chunk << " paths a work item");
                 options.settings.launch = launch;
                 options.settings.chunk = chunk;
-                options.tree_slots = slots;
+                options.settings.wave_size = wave_size;
                 const Picture picture = render_by(scene, placed, options);
                 CHECK(first_difference(expected.image, picture.image) == "");
                 CHECK(expected.rays.extension == picture.rays.extension);

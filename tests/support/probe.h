@@ -28,8 +28,9 @@ inline constexpr float UNWRITTEN = -1234567.0f;
 class Probe {
   public:
     Probe(const std::string& file, uint32_t width, const std::vector<std::string>& names,
-          std::vector<std::string> defines = {})
-        : program_(programs().build(request(file, width, names, std::move(defines)))) {}
+          std::vector<std::string> defines = {}, std::vector<std::string> before = {})
+        : program_(programs().build(
+              request(file, width, names, std::move(defines), std::move(before)))) {}
 
     /// All `words` output columns that probe `name` writes, over the items of `in`, which has at
     /// least one column. `bind` sets the arguments between `count` and the columns and returns the
@@ -66,9 +67,10 @@ class Probe {
   private:
     static gpu::ProgramRequest request(const std::string& file, uint32_t width,
                                        const std::vector<std::string>& names,
-                                       std::vector<std::string> defines) {
+                                       std::vector<std::string> defines,
+                                       std::vector<std::string> before) {
         defines.push_back(fmt::format("ONDE_WIDTH={}", width));
-        gpu::ProgramRequest request{"probe/" + file, std::move(defines), {}};
+        gpu::ProgramRequest request{"probe/" + file, std::move(defines), {}, std::move(before)};
         for (const std::string& name : names) request.kernels.push_back({"probe_" + name, 1});
         return request;
     }

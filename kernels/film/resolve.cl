@@ -1,7 +1,4 @@
 // The kernel that writes the film from the sums of splats.
-#ifndef ONDE_FILM_RESOLVE_H
-#define ONDE_FILM_RESOLVE_H
-
 #include "film/job.h"
 #include "shared/light_tracing.h"
 
@@ -21,5 +18,3 @@ __kernel void resolve(uint count, uint chunk, __global const uint* splats,
                                 resolve_sum(words + 6, scale), samples);
     }
 }
-
-#endif

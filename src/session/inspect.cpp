@@ -1,8 +1,9 @@
-#include "render/inspect.h"
+#include "session/inspect.h"
 
+#include "chapter/whitted_estimator.h"
 #include "core/error.h"
 #include "render/frame.h"
-#include "render/tree_memory.h"
+#include "shared/columns.h"
 
 #include <algorithm>
 
@@ -16,10 +17,8 @@ RenderOptions single_path(RenderOptions options) {
     options.settings.width = options.settings.chunk = options.settings.wave_size = 1;
     options.settings.local_size = 1;
     options.settings.launch = gpu::Launch::fused;
-    options.settings.queue = gpu::QueueKind::chunk_local;
     options.engine = Engine::wavefront;
     options.samples = options.samples_in_flight = 1;
-    options.tree_slots = MOST_NODES;
     return options;
 }
 
@@ -43,11 +42,11 @@ class Inspection {
           arguments_(engine_) {}
 
     const RenderOptions& options() const { return options_; }
-    gpu::BufferList& buffers() { return buffers_.paths; }
+    RenderBuffers& buffers() { return buffers_; }
 
-    gpu::Program build(const std::string& file, const std::string& kernel,
-                       const std::vector<std::string>& defines) const {
-        return build_engine(engine_, file, {kernel}, defines);
+    gpu::Program build(const EstimatorShape& estimator, const std::string& file,
+                       const std::string& kernel) const {
+        return build_engine(engine_, estimator, file, {kernel});
     }
     /// Binds what all kernels share; returns the first index after it.
     uint32_t bind(gpu::Kernel& kernel) const {
@@ -73,20 +72,21 @@ class Inspection {
 } // namespace
 
 TreeReport inspect_whitted(const IntegratorContext& c, const PixelSample& at) {
+    // TreeNode of kernels/inspect/whitted.cl: a ray and its hit.
+    constexpr size_t NODE_WORDS = COLUMN_COUNT(WHITTED_COLUMNS) + COLUMN_COUNT(HIT_COLUMNS);
     Inspection inspection(c, at);
-    const PackedWhitted packed = pack_whitted(*c.description, c.options.depth);
-    const TreeMemory memory(inspection.buffers(), inspection.options(), packed);
-    std::vector<std::string> defines = packed.defines();
-    gpu::Program program = inspection.build("inspect/whitted.cl", "inspect_whitted", defines);
+    const WhittedEstimator estimator(inspection.buffers(), *c.description, inspection.options());
+    gpu::Program program =
+        inspection.build(estimator.shape(), "inspect/whitted.cl", "inspect_whitted");
     gpu::Kernel& kernel = program.kernel("inspect_whitted");
 
-    const uint32_t sources = packed.settings.source_count;
+    const uint32_t sources = estimator.sources();
+    const gpu::Buffer<float> tree(c.device(), MOST_NODES * NODE_WORDS);
     const gpu::Buffer<NodeReport> nodes(c.device(), MOST_NODES);
     const gpu::Buffer<SourceReport> lights(c.device(), size_t(MOST_NODES) * sources);
     const gpu::Buffer<uint32_t> count(c.device(), 1);
-    const uint32_t tree = inspection.bind(kernel);
-    memory.bind(kernel, tree, 0);
-    kernel.set_from(tree + TreeMemory::PARAMETERS, nodes, lights, MOST_NODES, count);
+    const uint32_t next = estimator.bind(kernel, inspection.bind(kernel));
+    kernel.set_from(next, tree, nodes, lights, MOST_NODES, count);
     inspection.run(kernel);
 
     TreeReport report;
@@ -106,7 +106,8 @@ TreeReport inspect_whitted(const IntegratorContext& c, const PixelSample& at) {
 
 PathReport inspect_path(const IntegratorContext& c, const PixelSample& at) {
     const Inspection inspection(c, at);
-    gpu::Program program = inspection.build("inspect/path.cl", "inspect_path", {});
+    gpu::Program program =
+        inspection.build(PathEstimator().shape(), "inspect/path.cl", "inspect_path");
     gpu::Kernel& kernel = program.kernel("inspect_path");
     const gpu::Buffer<BounceReport> bounces(c.device(), c.options.depth);
     const gpu::Buffer<uint32_t> count(c.device(), 1);

@@ -1,16 +1,20 @@
 // The chapter's estimator (docs/whitted.md): what a ray of the tree sees at its hit, and which rays
-// start there. It knows nothing of queues; engines keep the tree and resolve it.
-#ifndef ONDE_CHAPTER_WHITTED_TREE_H
-#define ONDE_CHAPTER_WHITTED_TREE_H
+// start there. It knows nothing of queues, nor of the order in which a tree is visited.
+#ifndef ONDE_CHAPTER_WHITTED_WHITTED_H
+#define ONDE_CHAPTER_WHITTED_WHITTED_H
 
-#include "chapter/whitted/shadow.h"
 #include "chapter/whitted/source.h"
 #include "shade/camera.h"
+#include "shade/connection.h"
 #include "shade/environment.h"
 #include "shade/fresnel.h"
 #include "shade/material.h"
 
-// Whether some material splits white light.
+// Whether some material lets light through, and whether some splits white light; the host compiles
+// only what the scene needs.
+#ifndef ONDE_TRANSLUCENT
+    #define ONDE_TRANSLUCENT 1
+#endif
 #ifndef ONDE_DISPERSION
     #define ONDE_DISPERSION 1
 #endif
@@ -21,13 +25,8 @@ typedef struct {
     __global const SourceRecord* sources;
 } WhittedView;
 
-typedef struct {
-    real3 origin, direction;
-    real3 factor; // of its colour in its parent's
-    real product; // of all factors down to here, largest components
-    real passed;  // distance from where it began to the origin, which is clear of the surface
-    natural kind;
-} TreeRay;
+COLUMNS_TYPE(WhittedRay, WHITTED_COLUMNS);
+COLUMNS_CHOICE(WhittedRay, WHITTED_COLUMNS)
 
 // The most children of a node.
 INLINE uint most_children(WhittedView w) {
@@ -40,17 +39,18 @@ INLINE uint most_children(WhittedView w) {
 #endif
 }
 
-INLINE TreeRay tree_root(__global const FrameRecord* frame, natural pixel, natural sample) {
+INLINE WhittedRay whitted_root(__global const FrameRecord* frame, natural pixel, natural sample) {
     const real2 offset = sample_offset(sample);
     const CameraRay camera = camera_ray_through(frame, to_real(pixel & 0xffffu) + offset.x,
                                                 to_real(pixel >> 16) + offset.y);
-    TreeRay ray;
+    WhittedRay ray;
     ray.origin = camera.origin;
     ray.direction = camera.direction;
     ray.factor = splat3((real)(1.0f));
     ray.product = (real)(1.0f);
     ray.passed = (real)(0.0f);
-    ray.kind = (natural)(0u);
+    ray.kind = ray.level = (natural)(0u);
+    ray.color = zero3();
     return ray;
 }
 
@@ -69,19 +69,22 @@ typedef struct {
     real t;            // length of the ray
     mask found, alive; // alive: its product of factors is above epsilon
     real product;
-} TreeVertex;
+    natural level;
+} WhittedVertex;
 
-INLINE real phong_value(WhittedView w, TreeVertex v, uint word) {
+INLINE real phong_value(WhittedView w, WhittedVertex v, uint word) {
     return gather_real((__global const float*)w.phong,
                        v.surface.material * (uint)(sizeof(PhongRecord) / 4) + word);
 }
 #define PHONG(w, v, field) phong_value(w, v, (uint)(__builtin_offsetof(PhongRecord, field) / 4))
 
-INLINE TreeVertex tree_vertex(SceneView view, WhittedView w, TreeRay ray, Hits hit, mask lanes) {
-    TreeVertex v;
+INLINE WhittedVertex whitted_vertex(SceneView view, WhittedView w, WhittedRay ray, Hits hit,
+                                    mask lanes) {
+    WhittedVertex v;
     v.found = lanes & (hit.primitive != BVH_NONE);
     v.surface = surface_at(view, ray.origin, ray.direction, hit, v.found);
     v.view = negate3(ray.direction);
+    v.level = ray.level;
     v.t = choose(v.found, hit.t + ray.passed, (real)(0.0f));
     const mask takes = v.found & ((ray.kind & KIND_TAKES_FACTOR) != 0u);
     v.product = ray.product * choose(takes, PHONG(w, v, reflection), (real)(1.0f));
@@ -90,14 +93,14 @@ INLINE TreeVertex tree_vertex(SceneView view, WhittedView w, TreeRay ray, Hits h
 }
 
 // The factor of the ray's colour in its parent's, now that its hit is known.
-INLINE real3 arrival_factor(WhittedView w, TreeRay ray, TreeVertex v) {
+INLINE real3 arrival_factor(WhittedView w, WhittedRay ray, WhittedVertex v) {
     const mask takes = v.found & ((ray.kind & KIND_TAKES_FACTOR) != 0u);
     real scale = choose(takes, PHONG(w, v, reflection), (real)(1.0f));
     if (w.settings->distance_falloff) scale = choose(v.found, scale / (v.t * v.t), scale);
     return scale3(ray.factor, scale);
 }
 
-INLINE real3 phong_color(SceneView view, WhittedView w, TreeVertex v) {
+INLINE real3 phong_color(SceneView view, WhittedView w, WhittedVertex v) {
     const real3 color = make3(PHONG(w, v, color[0]), PHONG(w, v, color[1]), PHONG(w, v, color[2]));
 #if ONDE_TEXTURES
     return mul3(color, texture_color(view, as_natural(PHONG(w, v, texture)), v.surface.uv));
@@ -106,129 +109,112 @@ INLINE real3 phong_color(SceneView view, WhittedView w, TreeVertex v) {
 #endif
 }
 
-INLINE real3 mirror_direction(TreeVertex v) {
+INLINE real3 mirror_direction(WhittedVertex v) {
     const real3 n = v.surface.normal;
     return madd3(n, 2.0f * dot3(n, v.view), negate3(v.view));
 }
 
 // Where a ray in direction d leaves the vertex.
-INLINE AdvancedOrigin tree_exit(TreeVertex v, real3 d) {
+INLINE AdvancedOrigin whitted_exit(WhittedVertex v, real3 d) {
     return advance_origin(v.surface.position, v.surface.geometric, d, v.t);
 }
 
 // max(r.v, 0)^e, with r the mirror image of the direction to the sample; cosine: n.l. As r and v
 // are unit, r.v = 1 - |r - v|^2 / 2, whose digits a large exponent needs.
-INLINE real sample_highlight(WhittedView w, TreeVertex v, SourceSample s, real cosine) {
+INLINE real sample_highlight(WhittedView w, WhittedVertex v, SourceSample s, real cosine) {
     const real3 r = madd3(v.surface.normal, 2.0f * cosine, negate3(s.direction));
     const real3 apart = sub3(r, v.view);
     return power_below_one(min_real(0.5f * dot3(apart, apart), (real)(1.0f)),
                            PHONG(w, v, exponent));
 }
 
-// What arrives of a sample's light, for the lanes in `bits`.
-INLINE real sample_visibility(SceneView view, WhittedView w, TreeVertex v, SourceSample s,
-                              uint bits) {
-    const real3 origin = tree_exit(v, s.direction).origin;
-    const mask finite = s.distance < SOURCE_INFINITY;
-    const real3 to = sub3(s.target, origin);
-    const real length = length3(to);
-    const real3 direction = choose(finite, scale3(to, 1.0f / length), s.direction);
-    const real distance = choose(finite, length * SHADOW_SHORTENING, (real)(SOURCE_INFINITY));
-    return transmittance(view, w.phong, origin, direction, distance, bits);
-}
-
-// What one sample of a source adds, as a factor of its strength times the object's colour.
-INLINE real sample_light(SceneView view, WhittedView w, TreeVertex v, SourceSample s, mask lanes,
-                         natural* rays) {
+// What one sample of a source adds to the mean over its samples, if it arrives: a factor of the
+// source's intensity times the object's colour.
+INLINE Connection sample_connection(WhittedView w, WhittedVertex v,
+                                    __global const SourceRecord* source, real2 uv, mask lanes) {
+    const SourceSample s = source_sample(source, uv, v.surface.position);
     const real cosine = dot3(v.surface.normal, s.direction);
     const mask lit = lanes & s.lit & (cosine > 0.0f);
     const real phong = fma(PHONG(w, v, specular), sample_highlight(w, v, s, cosine),
                            PHONG(w, v, diffuse) * cosine);
-    const mask tested = lit & (phong > 0.0f);
-    const uint bits = mask_bits(tested);
-    if (!bits) return (real)(0.0f);
-    *rays += choose(tested, (natural)(1u), (natural)(0u));
-    return phong * sample_visibility(view, w, v, s, bits);
+    Connection c;
+    c.origin = whitted_exit(v, s.direction).origin;
+    const mask finite = s.distance < SOURCE_INFINITY;
+    const real3 to = sub3(s.target, c.origin);
+    const real length = length3(to);
+    c.direction = choose(finite, scale3(to, 1.0f / length), s.direction);
+    c.distance = choose(finite, length * SHADOW_SHORTENING, (real)(SOURCE_INFINITY));
+    c.distance = choose(lit & (phong > 0.0f), c.distance, (real)(0.0f));
+    c.value = make3(phong, (real)(0.0f), (real)(0.0f));
+    c.target = (natural)(0u);
+    return c;
 }
 
-// The mean over the samples of a source, times its strength.
-INLINE real3 source_light(SceneView view, WhittedView w, TreeVertex v,
-                          __global const SourceRecord* source, real2 offset, mask lanes,
-                          natural* rays) {
+// Sample `k` of a source: the middle of its cell of the grid, moved by `offset` in [0, 1).
+INLINE real2 grid_point(__global const SourceRecord* source, uint k, real2 offset) {
     const uint side = source->samples;
     const float step = 1.0f / (float)side;
-    real sum = (real)(0.0f);
-    for (uint j = 0; j < side; j++)
-        for (uint i = 0; i < side; i++) {
-            const real2 uv = make2(((float)i + offset.x) * step, ((float)j + offset.y) * step);
-            const SourceSample s = source_sample(source, uv, v.surface.position);
-            sum += sample_light(view, w, v, s, lanes, rays);
-        }
-    return scale3(uniform3(source->strength), sum / (float)(side * side));
+    return make2(((float)(k % side) + offset.x) * step, ((float)(k / side) + offset.y) * step);
 }
 
-INLINE real3 ambient_light(WhittedView w, TreeVertex v, real3 color) {
+// What a source adds whose samples have added up to `sum`.
+INLINE real3 source_light(__global const SourceRecord* source, real sum) {
+    const uint side = source->samples;
+    return scale3(uniform3(source->intensity), sum / (float)(side * side));
+}
+
+INLINE real3 ambient_light(WhittedView w, WhittedVertex v, real3 color) {
     return scale3(mul3(color, uniform3(w.settings->ambient)), PHONG(w, v, ambient));
 }
 
-// Emission and direct light; `rays` counts the shadow rays of each lane.
-INLINE real3 surface_light(SceneView view, WhittedView w, TreeVertex v, natural sample, mask lanes,
-                           natural* rays) {
-    const real3 color = phong_color(view, w, v);
-    const real2 offset = sample_offset(sample);
-    real3 direct = ambient_light(w, v, color);
-    for (uint i = 0; i < w.settings->source_count; i++) {
-        const real3 light = source_light(view, w, v, w.sources + i, offset, lanes, rays);
-        direct = add_light(w, direct, mul3(color, light));
-    }
+INLINE real3 surface_emission(SceneView view, WhittedVertex v, mask lanes) {
     const mask emits = lanes & material_emits(view, v.surface.material, v.surface.front);
-    const real3 emission = material_emission(view, v.surface.material, v.surface.uv);
-    return add_light(w, choose(emits, emission, zero3()), direct);
+    return choose(emits, material_emission(view, v.surface.material, v.surface.uv), zero3());
 }
 
-INLINE real3 tree_background(SceneView view, WhittedView w, real3 direction) {
+INLINE real3 whitted_background(SceneView view, WhittedView w, real3 direction) {
     if (w.settings->has_background) return uniform3(w.settings->background);
     return environment_radiance(view, direction);
 }
 
-// The colour of the node itself, without its children.
-OUTLINED real3 tree_color(SceneView view, WhittedView w, TreeVertex v, natural sample, mask lanes,
-                          natural* rays) {
-    real3 color = zero3();
-    const mask missed = lanes & v.alive & !v.found, lit = lanes & v.alive & v.found;
-    if_any (missed) color = choose(missed, tree_background(view, w, negate3(v.view)), color);
-    if_any (lit) color = choose(lit, surface_light(view, w, v, sample, lit, rays), color);
-    return color;
+// Where surfaces are lit, and where the background is seen.
+INLINE mask lit_lanes(WhittedVertex v, mask lanes) {
+    return lanes & v.alive & v.found;
+}
+INLINE mask missed_lanes(WhittedVertex v, mask lanes) {
+    return lanes & v.alive & !v.found;
 }
 
 // A child of a node, where `exists`.
 typedef struct {
-    TreeRay ray;
+    WhittedRay ray;
     mask exists;
-} TreeChild;
+} WhittedChild;
 
 // Indices before over behind the surface.
-INLINE real index_ratio(TreeVertex v, real ior) {
+INLINE real index_ratio(WhittedVertex v, real ior) {
     return choose(v.surface.front, 1.0f / ior, ior);
 }
 
-INLINE TreeChild make_child(WhittedView w, TreeVertex v, real3 direction, real3 factor,
-                            natural kind, mask exists) {
-    TreeChild child;
-    const AdvancedOrigin exit = tree_exit(v, direction);
+INLINE WhittedChild make_child(WhittedView w, WhittedVertex v, real3 direction, real3 factor,
+                               natural kind, mask exists) {
+    WhittedChild child;
+    const AdvancedOrigin exit = whitted_exit(v, direction);
     child.ray.origin = exit.origin;
     child.ray.passed = exit.passed;
     child.ray.direction = direction;
     child.ray.factor = factor;
     child.ray.product = v.product * max_component3(factor);
     child.ray.kind = kind;
+    child.ray.level = v.level + 1u;
+    child.ray.color = zero3();
     child.exists = exists & v.alive & v.found & (child.ray.product > w.settings->epsilon) &
                    (child.ray.product > 0.0f);
     return child;
 }
 
 // Fresnel's share of reflection, where the settings ask for it and light goes through; else 0.
-INLINE real mirrored_share(WhittedView w, TreeVertex v) {
+INLINE real mirrored_share(WhittedView w, WhittedVertex v) {
 #if ONDE_TRANSLUCENT
     if (!w.settings->fresnel) return (real)(0.0f);
     const real cosine = clamp_real(dot3(v.surface.normal, v.view), 0.0f, 1.0f);
@@ -238,7 +224,7 @@ INLINE real mirrored_share(WhittedView w, TreeVertex v) {
 #endif
 }
 
-INLINE TreeChild mirror_child(WhittedView w, TreeVertex v, natural kind) {
+INLINE WhittedChild mirror_child(WhittedView w, WhittedVertex v, natural kind) {
     const real own = PHONG(w, v, reflection);
     const real share = PHONG(w, v, transmission) * mirrored_share(w, v);
     const uint by_source = w.settings->source_reflectivity;
@@ -252,7 +238,7 @@ INLINE TreeChild mirror_child(WhittedView w, TreeVertex v, natural kind) {
 }
 
 // The refracted direction or, beyond the critical angle, the mirrored one. ratio: n1 / n2.
-INLINE real3 transmitted_direction(TreeVertex v, real ratio) {
+INLINE real3 transmitted_direction(WhittedVertex v, real ratio) {
     const real3 n = v.surface.normal;
     const real cosine = dot3(n, v.view);
     const real sine2 = ratio * ratio * (1.0f - cosine * cosine);
@@ -262,7 +248,7 @@ INLINE real3 transmitted_direction(TreeVertex v, real ratio) {
 }
 
 // The transmitted child; `split` counts the wavelengths of a white ray, from 0.
-INLINE TreeChild transmitted_child(WhittedView w, TreeVertex v, natural kind, uint split) {
+INLINE WhittedChild transmitted_child(WhittedView w, WhittedVertex v, natural kind, uint split) {
     const natural own = kind & KIND_WAVELENGTH;
     real ior = PHONG(w, v, ior);
     real3 filter = splat3((real)(1.0f));
@@ -285,7 +271,7 @@ INLINE TreeChild transmitted_child(WhittedView w, TreeVertex v, natural kind, ui
 }
 
 // Child `i` of most_children(), in the order in which they are added up. kind: the node's ray's.
-INLINE TreeChild tree_child(WhittedView w, TreeVertex v, natural kind, uint i) {
+INLINE WhittedChild whitted_child(WhittedView w, WhittedVertex v, natural kind, uint i) {
 #if ONDE_TRANSLUCENT
     if (i > 0) return transmitted_child(w, v, kind, i - 1);
 #endif

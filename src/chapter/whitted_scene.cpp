@@ -1,4 +1,4 @@
-#include "upload/whitted.h"
+#include "chapter/whitted_scene.h"
 
 #include "shared/scene.h"
 
@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 namespace onde {
@@ -95,7 +94,7 @@ SourceRecord source(uint32_t kind, glm::vec3 position, glm::vec3 strength) {
     SourceRecord record{};
     record.kind = kind;
     copy(record.position, position);
-    copy(record.strength, strength);
+    copy(record.intensity, strength);
     record.samples = 1;
     return record;
 }
@@ -114,19 +113,13 @@ SourceRecord pack_area_light(const AreaLight& light) {
 
 } // namespace
 
-uint32_t level_capacity(uint32_t depth) {
-    return std::min(std::bit_ceil(std::max(depth, 16u)), uint32_t(MAX_TREE_DEPTH));
-}
-
 std::vector<std::string> PackedWhitted::defines() const {
     return {fmt::format("ONDE_TRANSLUCENT={:d}", translucent),
-            fmt::format("ONDE_DISPERSION={:d}", dispersive),
-            fmt::format("ONDE_TREE_DEPTH={}", level_capacity(depth))};
+            fmt::format("ONDE_DISPERSION={:d}", dispersive)};
 }
 
 PackedWhitted pack_whitted(const Scene& scene, uint32_t depth) {
     PackedWhitted packed;
-    packed.depth = depth;
     packed.settings = pack_settings(scene, depth);
     for (const Material& material : scene.materials) {
         packed.phong.push_back(pack_phong(material));

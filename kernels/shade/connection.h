@@ -1,0 +1,32 @@
+// What a vertex may add to a sum, if nothing is in the way: a ray, its value and its target.
+#ifndef ONDE_SHADE_CONNECTION_H
+#define ONDE_SHADE_CONNECTION_H
+
+#include "math/vector.h"
+
+typedef struct {
+    real3 origin, direction;
+    real distance;  // 0: nothing to test and nothing to add
+    real3 value;    // is added, times the transmittance of the way
+    natural target; // y * width + x of a pixel; unused where all is for the path's own sum
+} Connection;
+
+INLINE Connection no_connection(void) {
+    Connection c;
+    c.origin = c.direction = c.value = zero3();
+    c.distance = (real)(0.0f);
+    c.target = (natural)(0u);
+    return c;
+}
+
+OVERLOAD Connection choose(mask m, Connection a, Connection b) {
+    Connection c;
+    c.origin = choose(m, a.origin, b.origin);
+    c.direction = choose(m, a.direction, b.direction);
+    c.distance = choose(m, a.distance, b.distance);
+    c.value = choose(m, a.value, b.value);
+    c.target = choose(m, a.target, b.target);
+    return c;
+}
+
+#endif

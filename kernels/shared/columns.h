@@ -1,0 +1,39 @@
+// What is kept of a path between two stages, as lists of columns: one word of each slot a column. A
+// list is written here once; from it come the struct that kernels work with, its loads, stores and
+// moves (trace/columns.h), and the host's sizes. VECTOR is three words, REAL and NATURAL one.
+#ifndef ONDE_SHARED_COLUMNS_H
+#define ONDE_SHARED_COLUMNS_H
+
+// The words of a list: COLUMN_COUNT(PATH_COLUMNS).
+#define ONDE_THREE_WORDS(name) +3
+#define ONDE_ONE_WORD(name) +1
+#define COLUMN_COUNT(LIST) (0 LIST(ONDE_THREE_WORDS, ONDE_ONE_WORD, ONDE_ONE_WORD))
+
+// A path of the path tracer. pdf: of the direction at the last vertex, 0 if light can't have been
+// sampled there. (The ray comes first in every list.)
+#define PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                        \
+    VECTOR(origin) VECTOR(direction) VECTOR(throughput) REAL(pdf)
+
+// A path from a light. Its power is emitted times throughput, that of the surfaces so far.
+#define LIGHT_PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                  \
+    VECTOR(origin) VECTOR(direction) VECTOR(emitted) VECTOR(throughput)
+
+// The ray of a ray tree that is in flight. factor: of its colour in its parent's; product: of all
+// factors down to here, largest components; passed: distance from where the ray began to its
+// origin, which is clear of the surface; color: what its hit has gathered so far.
+#define WHITTED_COLUMNS(VECTOR, REAL, NATURAL)                                                     \
+    VECTOR(origin)                                                                                 \
+    VECTOR(direction)                                                                              \
+    VECTOR(factor) REAL(product) REAL(passed) NATURAL(kind) NATURAL(level) VECTOR(color)
+
+// What a ray has met.
+#define HIT_COLUMNS(VECTOR, REAL, NATURAL)                                                         \
+    REAL(t) REAL(u) REAL(v) NATURAL(primitive) NATURAL(instance)
+
+// A connection whose value is for its own path, and one for any pixel, its target.
+#define CONNECTION_COLUMNS(VECTOR, REAL, NATURAL)                                                  \
+    VECTOR(origin) VECTOR(direction) REAL(distance) VECTOR(value)
+#define SPLAT_COLUMNS(VECTOR, REAL, NATURAL)                                                       \
+    CONNECTION_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(target)
+
+#endif

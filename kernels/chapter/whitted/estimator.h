@@ -115,7 +115,7 @@ OUTLINED Connection estimator_connection(Estimator e, State* ray, Hits hits, nat
     const SourcePlace place = source_place(e.w, k);
     if (place.sample == 0) {
         ray->color = add_source(e, v, place.source - 1, *sum, ray->color, lanes);
-        *sum = (real)(0.0f);
+        *sum = choose(lanes, (real)(0.0f), *sum);
     }
     return node_connection(e, v, place, id, lanes);
 }

@@ -270,7 +270,7 @@ TEST_CASE("kernels that are not there or do not compile are named with file and 
     Folder folder;
     furnish(folder);
     check_refused(folder, onto_precious(CORNELL, {"--kernels", "nothing"}),
-                  "there is no kernel file \"wavefront/fused.cl\" in nothing", NO_DEVICE);
+                  "there is no kernel file \"trace/layout_wide.h\" in nothing", NO_DEVICE);
 
     const fs::path kernels = folder / "kernels";
     fs::copy(ONDE_SOURCE_DIR "/kernels", kernels, fs::copy_options::recursive);

@@ -138,7 +138,7 @@ TEST_CASE("an interrupted pass is finished before the next, by smaller waves as 
           IntegratorKind::depth_buffer, IntegratorKind::painter}) {
         RenderOptions options = options_of(kind, 160);
         options.settings.chunk = 64;
-        options.settings.wave_size = 512;
+        options.settings.wave_size = 256; // two waves are in flight when it stops
         const auto whole = studio.integrator(options);
         render_to(*whole, options, 160);
         const auto first = studio.integrator(options);

@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
     std::string scene, device, kernels;
-    uint32_t repetitions = 9;
+    uint32_t width = 0, height = 0, repetitions = 9;
 };
 
 double ready_after(Session& session, const std::function<void()>& edit) {
@@ -62,7 +62,10 @@ void race_edits(Session& session, uint32_t repetitions) {
 void run(const Options& options) {
     Machine machine(options.device, gpu::KernelSources::from(options.kernels));
     Scene scene = load_scene(options.scene);
-    const RenderOptions render = resolve_options({}, scene, machine.device.facts()).options;
+    RenderChoices choices;
+    if (options.width > 0) choices.width = options.width;
+    if (options.height > 0) choices.height = options.height;
+    const RenderOptions render = resolve_options(choices, scene, machine.device.facts()).options;
     const Timer timer;
     Session session(machine.programs, std::move(scene), {.render = render});
     session.prepare();
@@ -82,6 +85,10 @@ int main(int argc, char** argv) {
     onde::CommandLine line("session", "How soon the next picture starts after an edit");
     onde::Command root = line.root();
     root.option("scene", &options.scene, "A scene file", {.value = "SCENE", .required = true});
+    root.option("--width", &options.width, "of the picture (the scene's)",
+                {.least = 1, .most = 16384});
+    root.option("--height", &options.height, "of the picture (the scene's)",
+                {.least = 1, .most = 16384});
     onde::bench::add_device(root, options.device);
     onde::bench::add_kernels(root, options.kernels);
     onde::bench::add_repetitions(root, options.repetitions);

@@ -39,7 +39,7 @@ void write_pictures(const std::vector<std::filesystem::path>& outputs, const Ima
 void write_cost_maps(const std::vector<std::filesystem::path>& outputs, const TraversalCost& map,
                      const ImageMetadata& metadata) {
     for (const auto& output : outputs) {
-        const std::filesystem::path path = aov_path(output, "tests");
+        const std::filesystem::path path = aov_path(output, TRAVERSAL_COST);
         if (path.extension() == ".exr")
             write_exr(path, cost_numbers(map), metadata, ExrDepth::full_float);
         else

@@ -18,7 +18,7 @@ namespace {
 /// As in scene files.
 constexpr float MOST_STOPS = 64.0f;
 
-const std::map<std::string, bool> AOVS{{"tests", true}};
+const std::map<std::string, bool> AOVS{{TRAVERSAL_COST, true}};
 const std::map<std::string, bool> SWITCH{{"on", true}, {"off", false}};
 
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
@@ -52,9 +52,10 @@ void declare_picture(Command& command, RenderRequest& r) {
     command.option("--exposure", &r.exposure, "Brighten the .png by that many stops",
                    {.value = "STOPS"});
     command.choice("--tone-map", r.tone_map, "How the .png rolls off highlights (none)");
-    command.choice("--aov", r.cost_aov, AOVS,
-                   "Also write OUTPUT.tests: boxes and primitives that each pixel's camera ray "
-                   "tests,\nas numbers in .exr, as colours in .png");
+    command.choice(
+        "--aov", r.cost_aov, AOVS,
+        "Also write OUTPUT.traversal-cost: the boxes and primitives that camera rays test,\n"
+        "by pixel, as numbers in .exr, as colours in .png");
     command.flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
 }
 
@@ -171,7 +172,7 @@ std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request)
             throw InputError("{}: pictures are written as .png or .exr; change the extension",
                              path.string());
         check_writable(path);
-        if (request.cost_aov) check_writable(aov_path(path, "tests"));
+        if (request.cost_aov) check_writable(aov_path(path, TRAVERSAL_COST));
     }
     if (!request.json.empty()) check_writable(request.json);
     return outputs;

@@ -62,7 +62,10 @@ Machine open_machine(const MachineRequest& request, gpu::Profiling profiling = g
 /// InputError and DeviceError.
 Session open_session(Machine& machine, Scene scene, const RenderRequest& request);
 
-/// Where a picture's companion of that name goes: out.png's "tests" to out.tests.png.
+/// The word of the quantity that --aov adds.
+inline constexpr const char* TRAVERSAL_COST = "traversal-cost";
+
+/// Where a picture's companion of that name goes: out.png's "a" to out.a.png.
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name);
 
 /// The outputs, or SCENE's name with .png in the current folder when none was given; each must be

@@ -24,7 +24,6 @@ bool same_light(const Material& a, const Material& b) {
 
 /// Whether a film of the one is a beginning of a film of the other.
 bool same_but_for_length(RenderOptions a, const RenderOptions& b) {
-    if (a.integrator == IntegratorKind::light && a.samples != b.samples) return false; // its scale
     a.samples = b.samples;
     a.seconds = b.seconds;
     return a == b;

@@ -209,14 +209,14 @@ TEST_CASE("a second Ctrl-C ends the program at once and leaves the old picture a
 
 TEST_CASE("--aov traversal-cost writes what each pixel tests beside every picture") {
     const Folder folder;
-    const Outcome outcome =
-        onde::test::onde(folder, render(CORNELL, {"-o", "a.png", "-o", "b.exr", "--aov", "tests"}));
+    const Outcome outcome = onde::test::onde(
+        folder, render(CORNELL, {"-o", "a.png", "-o", "b.exr", "--aov", "traversal-cost"}));
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK(folder.files().size() == 4);
-    check_is_picture(folder / "a.tests.png");
+    check_is_picture(folder / "a.traversal-cost.png");
     double sum = 0;
-    const onde::Image counts = onde::read_image(folder / "b.tests.exr");
+    const onde::Image counts = onde::read_image(folder / "b.traversal-cost.exr");
     for (size_t i = 0; i < counts.pixels.size(); i += 3) {
         CHECK(counts.pixels[i] + counts.pixels[i + 1] == counts.pixels[i + 2]);
         sum += counts.pixels[i + 2];
@@ -242,9 +242,9 @@ TEST_CASE(
         for (const char* layout : {"wide", "compressed", "binary"}) {
             INFO(scene << ", " << layout);
             const std::string output = fmt::format("{}.exr", layout);
-            const Outcome outcome = onde::test::onde(
-                folder,
-                render(file, {"--layout", layout, "--float", "-o", output, "--aov", "tests"}));
+            const Outcome outcome =
+                onde::test::onde(folder, render(file, {"--layout", layout, "--float", "-o", output,
+                                                       "--aov", "traversal-cost"}));
             INFO(outcome.err);
             REQUIRE(outcome.code == 0);
             pictures.push_back(onde::read_image(folder / output));
@@ -256,7 +256,7 @@ TEST_CASE(
                          1e-4f * std::abs(expected[i]);
             CHECK(equal >= expected.size() * 98 / 100);
             const onde::Image counts =
-                onde::read_image(folder / fmt::format("{}.tests.exr", layout));
+                onde::read_image(folder / fmt::format("{}.traversal-cost.exr", layout));
             for (size_t i = 0; i < counts.pixels.size(); i += 3)
                 CHECK(counts.pixels[i + 2] > 0); // every ray tests the root's boxes
         }

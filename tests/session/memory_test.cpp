@@ -5,18 +5,19 @@
 namespace onde::test {
 namespace {
 
-/// The tests' device as if it had less memory.
-struct SmallDevice {
+/// The tests' device as if it allowed buffers of that size.
+struct OtherDevice {
     gpu::Device device;
     gpu::Programs programs;
 
-    explicit SmallDevice(uint64_t largest_buffer)
+    explicit OtherDevice(uint64_t largest_buffer)
         : device(test::device().raw(), with(largest_buffer)),
           programs(device, kernel_sources(), test_cache()) {}
 
     static gpu::DeviceFacts with(uint64_t largest_buffer) {
         gpu::DeviceFacts facts = test::device().facts();
         facts.max_allocation = largest_buffer;
+        facts.global_memory = std::max(facts.global_memory, largest_buffer);
         return facts;
     }
 };
@@ -48,7 +49,7 @@ TEST_CASE("waves that do not fit are halved, with a note, and make the same pict
     SessionOptions options = small_session();
     options.render.settings.wave_size = 1u << 18;
     const std::vector<float> expected = fresh_picture(varied_scene(), options);
-    SmallDevice small(4u << 20);
+    OtherDevice small(4u << 20);
     Session session(small.programs, varied_scene(), options);
     CHECK(session.options().settings.wave_size < 1u << 18);
     CHECK(session.options().settings.wave_size >= 1u << 14);
@@ -57,10 +58,22 @@ TEST_CASE("waves that do not fit are halved, with a note, and make the same pict
     CHECK(rendered(session) == expected);
 }
 
+TEST_CASE("waves are halved that the driver refuses though its facts allow them") {
+    SessionOptions options = small_session();
+    const std::vector<float> expected = fresh_picture(varied_scene(), options);
+    options.render.settings.wave_size = 1u << 26;
+    OtherDevice boastful(UINT64_MAX / 2);
+    Session session(boastful.programs, varied_scene(), options);
+    CHECK(rendered(session) == expected);
+    if (device().facts().max_allocation >= uint64_t(1) << 33) return; // it takes them
+    CHECK(session.options().settings.wave_size < 1u << 26);
+    CHECK_THAT(session.notes().back(), Catch::Contains("waves of 67108864 paths do not fit"));
+}
+
 TEST_CASE("a picture that does not fit is refused, whatever the waves") {
     SessionOptions options = small_session();
     options.render.width = options.render.height = 1024;
-    SmallDevice small(4u << 20);
+    OtherDevice small(4u << 20);
     CHECK_THROWS_AS(Session(small.programs, varied_scene(), options), DeviceError);
     CHECK_THROWS_WITH(Session(small.programs, varied_scene(), options),
                       Catch::Contains("use a smaller --size"));

@@ -10,17 +10,22 @@ namespace onde {
 
 JobBuffers::JobBuffers(gpu::BufferList& buffers, const RenderOptions& options)
     : frame(buffers.add<FrameRecord>("frame", 1)),
-      counters(buffers.add_filled("ray counters", COUNTER_SIZE, uint32_t(0))),
-      totals(buffers.add_filled("ray totals", COUNTER_SIZE, uint64_t(0))),
+      counters(buffers.add<uint32_t>("ray counters", COUNTER_SIZE)),
+      totals(buffers.add<uint64_t>("ray totals", COUNTER_SIZE)),
       pixel_order(buffers.add<uint32_t>("pixel order", size_t(options.width) * options.height)) {}
 
 KernelArguments::KernelArguments(const EngineContext& context)
     : device_(context.device()), scene_(context.scene), film_(context.film),
-      job_(context.buffers.film, context.options) {
-    const RenderOptions& options = context.options;
-    const FrameRecord frame = make_frame(context.scene.packed(), context.camera, options);
+      options_(context.options), job_(context.buffers.film, context.options) {
+    job_.pixel_order.write(device_, pixel_order(options_.width, options_.height));
+    begin_picture(context.camera);
+}
+
+void KernelArguments::begin_picture(const Camera& camera) {
+    const FrameRecord frame = make_frame(scene_.packed(), camera, options_);
     job_.frame.write(device_, std::span(&frame, 1));
-    job_.pixel_order.write(device_, pixel_order(options.width, options.height));
+    job_.counters.fill(device_, 0u);
+    job_.totals.fill(device_, uint64_t(0));
 }
 
 uint32_t KernelArguments::bind(gpu::Kernel& kernel, uint32_t first) const {

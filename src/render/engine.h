@@ -56,6 +56,9 @@ class KernelArguments {
 
     explicit KernelArguments(const EngineContext& context);
 
+    /// What is bound is the frame of this camera from now on; nothing is counted yet.
+    void begin_picture(const Camera& camera);
+
     /// Binds SCENE_PARAMETERS and JOB_PARAMETERS from argument `first` on; returns the next index.
     uint32_t bind(gpu::Kernel& kernel, uint32_t first = LAUNCH_PARAMETER_COUNT) const;
     /// Sets LAUNCH_PARAMETERS, which come first.
@@ -70,6 +73,7 @@ class KernelArguments {
     const gpu::Device& device_;
     const DeviceScene& scene_;
     const Film& film_;
+    const RenderOptions& options_;
     JobBuffers job_;
 };
 
@@ -77,6 +81,8 @@ class EngineDriver {
   public:
     virtual ~EngineDriver() = default;
 
+    /// Waves are of the picture of this camera from now on.
+    virtual void begin_picture(const Camera& camera) = 0;
     /// Queues the work of one wave; adds its radiance to the film.
     virtual void render_wave(const Wave& wave) = 0;
     /// The most paths a wave may have.

@@ -26,6 +26,10 @@ class Integrator {
                              const std::function<bool(double)>& keep_going) = 0;
     virtual uint32_t max_samples() const = 0;
 
+    /// Begins anew with another camera and an empty film. False, with nothing done, where that
+    /// takes another integrator.
+    virtual bool set_camera(const Camera&) { return false; }
+
     virtual Film& film() = 0;
     virtual RayCounts ray_counts() const = 0;
     virtual const gpu::BuildReport& build_report() const = 0;

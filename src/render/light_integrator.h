@@ -41,6 +41,7 @@ class LightIntegrator : public WaveIntegrator {
     /// Throws InputError for a scene in which nothing emits.
     explicit LightIntegrator(const IntegratorContext& context);
 
+    bool set_camera(const Camera&) override { return false; } // its statistics begin anew
     std::vector<std::string> findings() const override;
     LightCounts counts() const;
 

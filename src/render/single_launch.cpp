@@ -21,6 +21,7 @@ class SingleLaunch : public EngineDriver {
         memory_->bind(kernel_, after);
     }
 
+    void begin_picture(const Camera& camera) override { arguments_.begin_picture(camera); }
     void render_wave(const Wave& wave) override {
         arguments_.set_wave(kernel_, wave, settings_.chunk);
         kernel_.launch((wave.paths() + settings_.chunk - 1) / settings_.chunk, profiler_);

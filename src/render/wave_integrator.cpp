@@ -65,6 +65,13 @@ void WaveIntegrator::queue_wave(const Wave& wave) {
     paths_ += wave.paths();
 }
 
+bool WaveIntegrator::set_camera(const Camera& camera) {
+    engine_->begin_picture(camera);
+    film_.clear();
+    paths_ = 0;
+    return true;
+}
+
 uint32_t WaveIntegrator::max_samples() const {
     return std::bit_floor(std::min(
         {options_.samples_in_flight, engine_->sample_capacity(), engine_->wave_capacity()}));

@@ -17,6 +17,7 @@ class WaveIntegrator : public Integrator {
     void render_pass(uint32_t first, uint32_t count,
                      const std::function<bool(double)>& keep_going) override;
     uint32_t max_samples() const override;
+    bool set_camera(const Camera& camera) override;
 
     Film& film() override { return film_; }
     const gpu::BuildReport& build_report() const override { return engine_->build_report(); }

@@ -200,7 +200,7 @@ void Session::set_camera(const Camera& value) {
     check_camera(value, options_.render.camera);
     check_screen(value, options_.render.width, options_.render.height);
     scene_.cameras[options_.render.camera] = value;
-    integrator_.reset();
+    if (integrator_ && !integrator_->set_camera(value)) integrator_.reset();
 }
 
 void Session::set_material(size_t index, const Material& value) {

@@ -5,6 +5,18 @@
 #include "path/estimator.h"
 #include "trace/trace.h"
 
+// The lobes, each chosen with its probability.
+INLINE void report_bsdf(__global BounceReport* report, Bsdf b) {
+#define REPORT_LOBE(NAME, name, Type, transmits, kinds)                                            \
+    report->probability[LOBE_##NAME] = HAS_LOBE(NAME) ? b.probability.name : 0.0f;
+    LOBES(REPORT_LOBE)
+#undef REPORT_LOBE
+    report3(report->diffuse, HAS_LOBE(DIFFUSE) ? b.diffuse.albedo : zero3());
+    report3(report->f0, HAS_LOBE(GLOSSY) && b.has.glossy ? b.glossy.f0 : zero3());
+    report->alpha = HAS_LOBE(GLOSSY) && b.has.glossy ? b.glossy.alpha : b.dielectric.alpha;
+    report->eta = bsdf_eta(b);
+}
+
 // What the estimator decided with: the light that it chose and the lobes.
 INLINE void explain_bounce(SceneView view, Path path, Hits hit, Sampler sampler, uint bounce,
                            __global BounceReport* report) {
@@ -18,12 +30,7 @@ INLINE void explain_bounce(SceneView view, Path path, Hits hit, Sampler sampler,
     const Basis basis = make_basis(s.normal);
     const real cosine = max_real(to_local(basis, negate3(path.direction)).z, (real)(1e-4f));
     const Bsdf b = material_bsdf(view, s, cosine);
-    report3(report->diffuse, b.diffuse);
-    report3(report->f0, b.f0);
-    report->alpha = b.alpha;
-    report->eta = b.eta;
-    report->glossy = b.glossy;
-    report->dielectric = b.dielectric != 0;
+    report_bsdf(report, b);
     if (view.frame->light_count == 0) return;
     const real choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x;
     const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT));

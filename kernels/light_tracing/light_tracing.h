@@ -9,7 +9,7 @@
 #define ONDE_LIGHT_TRACING_LIGHT_TRACING_H
 
 #include "light_tracing/connection.h"
-#include "light_tracing/emission.h"
+#include "shade/light.h"
 
 // Named dimension pairs of a light path: its emission, then four pairs per vertex, the first of
 // which is the light itself.
@@ -90,7 +90,7 @@ OUTLINED LightVertex light_start(SceneView view, __global const LightTracingReco
     u.choice = sampler_pair(sampler, LIGHT_DIMENSION_CHOICE);
     u.point = sampler_pair(sampler, LIGHT_DIMENSION_POINT);
     u.direction = sampler_pair(sampler, LIGHT_DIMENSION_DIRECTION);
-    const Emission e = emission_sample(view, setup, u, lanes);
+    const Emission e = light_emit(view, setup, u, lanes);
     LightVertex result;
     result.connection = connect_light(view, e, sampler);
     result.next.origin =
@@ -109,7 +109,8 @@ INLINE real particle_factor(Vertex v, real3 incoming, real3 wi, real3 d) {
     const real above = fabs(dot3(incoming, normal) * dot3(d, true_normal));
     const real below = fabs(dot3(incoming, true_normal) * dot3(d, normal));
     const real bent = above / max_real(below, (real)(1e-9f));
-    return choose(wi.z < 0.0f, bent * v.bsdf.eta * v.bsdf.eta, bent);
+    const real eta = bsdf_eta(v.bsdf);
+    return choose(wi.z < 0.0f, bent * eta * eta, bent);
 }
 
 INLINE Connection connect_surface(SceneView view, LightPath path, Vertex v, Sampler sampler,

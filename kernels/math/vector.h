@@ -54,6 +54,10 @@ INLINE real3 negate3(real3 a) {
 INLINE real3 madd3(real3 a, real s, real3 b) {
     return make3(fma(a.x, s, b.x), fma(a.y, s, b.y), fma(a.z, s, b.z));
 }
+// a * b + c
+INLINE real3 fma3(real3 a, real3 b, real3 c) {
+    return make3(fma(a.x, b.x, c.x), fma(a.y, b.y, c.y), fma(a.z, b.z, c.z));
+}
 INLINE real dot3(real3 a, real3 b) {
     return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x));
 }

@@ -35,7 +35,7 @@ INLINE real found_weight(real bsdf_pdf, real light_pdf) {
 
 INLINE real3 path_background(SceneView view, Path path) {
     const real3 radiance = environment_radiance(view, path.direction);
-    const real weight = found_weight(path.pdf, environment_light_pdf(view, path.direction));
+    const real weight = found_weight(path.pdf, environment_found_pdf(view, path.direction));
     return mul3(path.throughput, scale3(radiance, weight));
 }
 

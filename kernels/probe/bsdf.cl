@@ -4,16 +4,27 @@
 
 #define BSDF_WORDS 11
 
-// Diffuse albedo (3), f0 (3), f90, alpha, probability of the glossy lobe, eta, dielectric or not.
+// Diffuse albedo or tint of glass (3), f0 (3), f90, alpha, probability of the glossy lobe, eta,
+// dielectric or not.
 INLINE Bsdf input_bsdf(Items items) {
     Bsdf b;
-    b.diffuse = input3(items, 0);
-    b.f0 = input3(items, 3);
-    b.f90 = input(items, 6);
-    b.alpha = input(items, 7);
-    b.glossy = input(items, 8);
-    b.eta = input(items, 9);
-    b.dielectric = input_mask(items, 10);
+    b.has.dielectric = input_mask(items, 10);
+    b.has.diffuse = b.has.glossy = !b.has.dielectric;
+    b.glossy.f0 = input3(items, 3);
+    b.glossy.f90 = input(items, 6);
+    b.glossy.alpha = input(items, 7);
+    b.diffuse.albedo = input3(items, 0);
+    b.diffuse.coat = b.glossy;
+    b.dielectric.tint = input3(items, 0);
+    b.dielectric.alpha = input(items, 7);
+    b.dielectric.eta = input(items, 9);
+    const real zero = (real)(0.0f), one = (real)(1.0f), glossy = input(items, 8);
+    b.probability.dielectric = choose(b.has.dielectric, one, zero);
+    b.probability.glossy = choose(b.has.dielectric, zero, glossy);
+    b.probability.diffuse = choose(b.has.dielectric, zero, 1.0f - glossy);
+    b.reach.dielectric = b.probability.dielectric;
+    b.reach.glossy = choose(b.has.dielectric, one, glossy);
+    b.reach.diffuse = one;
     return b;
 }
 

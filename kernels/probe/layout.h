@@ -1,66 +1,21 @@
 // Every field of every shared struct, once, for both compilers: SIZE(Type) and OFFSET(Type, field)
-// are the includer's.
+// are the includer's. Written by tools/list_fields.py from shared/*.h.
 #ifndef ONDE_PROBE_LAYOUT_H
 #define ONDE_PROBE_LAYOUT_H
 
 #include "shared/bvh.h"
+#include "shared/columns.h"
 #include "shared/frame.h"
 #include "shared/inspect.h"
+#include "shared/items.h"
 #include "shared/light_tracing.h"
 #include "shared/raster.h"
 #include "shared/scene.h"
+#include "shared/types.h"
 #include "shared/volumes.h"
 #include "shared/whitted.h"
 
 #define SHARED_LAYOUT(SIZE, OFFSET)                                                                \
-    SIZE(RasterRecord)                                                                             \
-    OFFSET(RasterRecord, background)                                                               \
-    OFFSET(RasterRecord, width)                                                                    \
-    OFFSET(RasterRecord, height)                                                                   \
-    OFFSET(RasterRecord, instance_count)                                                           \
-    OFFSET(RasterRecord, triangle_count)                                                           \
-    OFFSET(RasterRecord, primitive_count)                                                          \
-    OFFSET(RasterRecord, subpixels)                                                                \
-    OFFSET(RasterRecord, unused)                                                                   \
-    SIZE(RasterInstance)                                                                           \
-    OFFSET(RasterInstance, to_screen)                                                              \
-    OFFSET(RasterInstance, first_primitive)                                                        \
-    OFFSET(RasterInstance, first_triangle)                                                         \
-    OFFSET(RasterInstance, unused)                                                                 \
-    SIZE(RasterSphere)                                                                             \
-    OFFSET(RasterSphere, center)                                                                   \
-    OFFSET(RasterSphere, radius_pixels)                                                            \
-    OFFSET(RasterSphere, radius)                                                                   \
-    OFFSET(RasterSphere, material)                                                                 \
-    OFFSET(RasterSphere, unused)                                                                   \
-    SIZE(RasterMaterial)                                                                           \
-    OFFSET(RasterMaterial, color)                                                                  \
-    OFFSET(RasterMaterial, texture)                                                                \
-    OFFSET(RasterMaterial, alpha)                                                                  \
-    OFFSET(RasterMaterial, unused)                                                                 \
-    SIZE(LightTracingRecord)                                                                       \
-    OFFSET(LightTracingRecord, center)                                                             \
-    OFFSET(LightTracingRecord, radius)                                                             \
-    OFFSET(LightTracingRecord, splat_scale)                                                        \
-    OFFSET(LightTracingRecord, unused)                                                             \
-    SIZE(BoxVolume)                                                                                \
-    OFFSET(BoxVolume, low)                                                                         \
-    OFFSET(BoxVolume, high)                                                                        \
-    OFFSET(BoxVolume, reach)                                                                       \
-    OFFSET(BoxVolume, unused)                                                                      \
-    SIZE(OrientedBoxVolume)                                                                        \
-    OFFSET(OrientedBoxVolume, axes)                                                                \
-    OFFSET(OrientedBoxVolume, low)                                                                 \
-    OFFSET(OrientedBoxVolume, high)                                                                \
-    OFFSET(OrientedBoxVolume, reach)                                                               \
-    SIZE(SlabsVolume)                                                                              \
-    OFFSET(SlabsVolume, low)                                                                       \
-    OFFSET(SlabsVolume, high)                                                                      \
-    OFFSET(SlabsVolume, reach)                                                                     \
-    OFFSET(SlabsVolume, unused)                                                                    \
-    SIZE(SphereVolume)                                                                             \
-    OFFSET(SphereVolume, center)                                                                   \
-    OFFSET(SphereVolume, radius)                                                                   \
     SIZE(BvhNode)                                                                                  \
     OFFSET(BvhNode, low_x)                                                                         \
     OFFSET(BvhNode, high_x)                                                                        \
@@ -115,53 +70,12 @@
     OFFSET(BvhSphere, radius)                                                                      \
     OFFSET(BvhSphere, primitive)                                                                   \
     OFFSET(BvhSphere, kind)                                                                        \
+    OFFSET(BvhSphere, unused)                                                                      \
     SIZE(BvhInstance)                                                                              \
     OFFSET(BvhInstance, world_to_object)                                                           \
     OFFSET(BvhInstance, object_to_world)                                                           \
     OFFSET(BvhInstance, root)                                                                      \
-    SIZE(MaterialRecord)                                                                           \
-    OFFSET(MaterialRecord, base_color)                                                             \
-    OFFSET(MaterialRecord, kind)                                                                   \
-    OFFSET(MaterialRecord, emission)                                                               \
-    OFFSET(MaterialRecord, roughness)                                                              \
-    OFFSET(MaterialRecord, metallic)                                                               \
-    OFFSET(MaterialRecord, ior)                                                                    \
-    OFFSET(MaterialRecord, normal_scale)                                                           \
-    OFFSET(MaterialRecord, two_sided)                                                              \
-    OFFSET(MaterialRecord, base_color_texture)                                                     \
-    OFFSET(MaterialRecord, metallic_roughness_texture)                                             \
-    OFFSET(MaterialRecord, emission_texture)                                                       \
-    OFFSET(MaterialRecord, normal_texture)                                                         \
-    SIZE(SurfaceRecord)                                                                            \
-    OFFSET(SurfaceRecord, normal)                                                                  \
-    OFFSET(SurfaceRecord, material)                                                                \
-    OFFSET(SurfaceRecord, uv)                                                                      \
-    OFFSET(SurfaceRecord, geometric)                                                               \
-    OFFSET(SurfaceRecord, tangent)                                                                 \
-    OFFSET(SurfaceRecord, light)                                                                   \
-    SIZE(LightRecord)                                                                              \
-    OFFSET(LightRecord, kind)                                                                      \
-    OFFSET(LightRecord, pmf)                                                                       \
-    OFFSET(LightRecord, alias_below)                                                               \
-    OFFSET(LightRecord, alias)                                                                     \
-    OFFSET(LightRecord, position)                                                                  \
-    OFFSET(LightRecord, area)                                                                      \
-    OFFSET(LightRecord, edge1)                                                                     \
-    OFFSET(LightRecord, material)                                                                  \
-    OFFSET(LightRecord, edge2)                                                                     \
-    OFFSET(LightRecord, surface)                                                                   \
-    OFFSET(LightRecord, radiance)                                                                  \
-    OFFSET(LightRecord, orientation)                                                               \
-    SIZE(TextureRecord)                                                                            \
-    OFFSET(TextureRecord, offset)                                                                  \
-    OFFSET(TextureRecord, width)                                                                   \
-    OFFSET(TextureRecord, height)                                                                  \
-    OFFSET(TextureRecord, wrap_u)                                                                  \
-    OFFSET(TextureRecord, wrap_v)                                                                  \
-    SIZE(AliasRecord)                                                                              \
-    OFFSET(AliasRecord, below)                                                                     \
-    OFFSET(AliasRecord, alias)                                                                     \
-    OFFSET(AliasRecord, pmf)                                                                       \
+    OFFSET(BvhInstance, unused)                                                                    \
     SIZE(FrameRecord)                                                                              \
     OFFSET(FrameRecord, origin)                                                                    \
     OFFSET(FrameRecord, aperture_radius)                                                           \
@@ -170,9 +84,13 @@
     OFFSET(FrameRecord, step_x)                                                                    \
     OFFSET(FrameRecord, orthographic)                                                              \
     OFFSET(FrameRecord, step_y)                                                                    \
+    OFFSET(FrameRecord, pad1)                                                                      \
     OFFSET(FrameRecord, lens_u)                                                                    \
+    OFFSET(FrameRecord, pad0)                                                                      \
     OFFSET(FrameRecord, lens_v)                                                                    \
+    OFFSET(FrameRecord, pad2)                                                                      \
     OFFSET(FrameRecord, forward)                                                                   \
+    OFFSET(FrameRecord, pad3)                                                                      \
     OFFSET(FrameRecord, width)                                                                     \
     OFFSET(FrameRecord, height)                                                                    \
     OFFSET(FrameRecord, seed)                                                                      \
@@ -184,7 +102,238 @@
     OFFSET(FrameRecord, environment_height)                                                        \
     OFFSET(FrameRecord, environment_radiance)                                                      \
     OFFSET(FrameRecord, environment_rotation)                                                      \
+    OFFSET(FrameRecord, environment_pad)                                                           \
     OFFSET(FrameRecord, filter_table)                                                              \
+    SIZE(MaterialRecord)                                                                           \
+    OFFSET(MaterialRecord, kind)                                                                   \
+    OFFSET(MaterialRecord, two_sided)                                                              \
+    OFFSET(MaterialRecord, base_color)                                                             \
+    OFFSET(MaterialRecord, emission)                                                               \
+    OFFSET(MaterialRecord, roughness)                                                              \
+    OFFSET(MaterialRecord, metallic)                                                               \
+    OFFSET(MaterialRecord, ior)                                                                    \
+    OFFSET(MaterialRecord, normal_scale)                                                           \
+    OFFSET(MaterialRecord, texture)                                                                \
+    SIZE(VertexRecord)                                                                             \
+    OFFSET(VertexRecord, normal)                                                                   \
+    OFFSET(VertexRecord, uv)                                                                       \
+    SIZE(AnySurface)                                                                               \
+    OFFSET(AnySurface, tag)                                                                        \
+    OFFSET(AnySurface, light)                                                                      \
+    SIZE(TriangleSurface)                                                                          \
+    OFFSET(TriangleSurface, tag)                                                                   \
+    OFFSET(TriangleSurface, light)                                                                 \
+    OFFSET(TriangleSurface, vertex)                                                                \
+    OFFSET(TriangleSurface, geometric)                                                             \
+    SIZE(SphereSurface)                                                                            \
+    OFFSET(SphereSurface, tag)                                                                     \
+    OFFSET(SphereSurface, light)                                                                   \
+    OFFSET(SphereSurface, center)                                                                  \
+    OFFSET(SphereSurface, radius)                                                                  \
+    OFFSET(SphereSurface, unused)                                                                  \
+    SIZE(ShapeSurface)                                                                             \
+    OFFSET(ShapeSurface, tag)                                                                      \
+    OFFSET(ShapeSurface, light)                                                                    \
+    OFFSET(ShapeSurface, shape)                                                                    \
+    OFFSET(ShapeSurface, minor_radius)                                                             \
+    OFFSET(ShapeSurface, unused)                                                                   \
+    SIZE(SurfaceRecord)                                                                            \
+    OFFSET(SurfaceRecord, any)                                                                     \
+    OFFSET(SurfaceRecord, any.tag)                                                                 \
+    OFFSET(SurfaceRecord, any.light)                                                               \
+    OFFSET(SurfaceRecord, triangle)                                                                \
+    OFFSET(SurfaceRecord, triangle.tag)                                                            \
+    OFFSET(SurfaceRecord, triangle.light)                                                          \
+    OFFSET(SurfaceRecord, triangle.vertex)                                                         \
+    OFFSET(SurfaceRecord, triangle.geometric)                                                      \
+    OFFSET(SurfaceRecord, sphere)                                                                  \
+    OFFSET(SurfaceRecord, sphere.tag)                                                              \
+    OFFSET(SurfaceRecord, sphere.light)                                                            \
+    OFFSET(SurfaceRecord, sphere.center)                                                           \
+    OFFSET(SurfaceRecord, sphere.radius)                                                           \
+    OFFSET(SurfaceRecord, sphere.unused)                                                           \
+    OFFSET(SurfaceRecord, shape)                                                                   \
+    OFFSET(SurfaceRecord, shape.tag)                                                               \
+    OFFSET(SurfaceRecord, shape.light)                                                             \
+    OFFSET(SurfaceRecord, shape.shape)                                                             \
+    OFFSET(SurfaceRecord, shape.minor_radius)                                                      \
+    OFFSET(SurfaceRecord, shape.unused)                                                            \
+    SIZE(TriangleLightRecord)                                                                      \
+    OFFSET(TriangleLightRecord, corner)                                                            \
+    OFFSET(TriangleLightRecord, area)                                                              \
+    OFFSET(TriangleLightRecord, edge1)                                                             \
+    OFFSET(TriangleLightRecord, edge2)                                                             \
+    OFFSET(TriangleLightRecord, orientation)                                                       \
+    SIZE(DiskLightRecord)                                                                          \
+    OFFSET(DiskLightRecord, center)                                                                \
+    OFFSET(DiskLightRecord, area)                                                                  \
+    OFFSET(DiskLightRecord, radius1)                                                               \
+    OFFSET(DiskLightRecord, radius2)                                                               \
+    OFFSET(DiskLightRecord, orientation)                                                           \
+    SIZE(SphereLightRecord)                                                                        \
+    OFFSET(SphereLightRecord, center)                                                              \
+    OFFSET(SphereLightRecord, radius)                                                              \
+    SIZE(PointLightRecord)                                                                         \
+    OFFSET(PointLightRecord, position)                                                             \
+    OFFSET(PointLightRecord, intensity)                                                            \
+    SIZE(DirectionalLightRecord)                                                                   \
+    OFFSET(DirectionalLightRecord, to_light)                                                       \
+    OFFSET(DirectionalLightRecord, irradiance)                                                     \
+    SIZE(EnvironmentLightRecord)                                                                   \
+    OFFSET(EnvironmentLightRecord, unused)                                                         \
+    SIZE(LightRecord)                                                                              \
+    OFFSET(LightRecord, kind)                                                                      \
+    OFFSET(LightRecord, pmf)                                                                       \
+    OFFSET(LightRecord, alias_below)                                                               \
+    OFFSET(LightRecord, alias)                                                                     \
+    OFFSET(LightRecord, material)                                                                  \
+    OFFSET(LightRecord, surface)                                                                   \
+    OFFSET(LightRecord, as.triangle)                                                               \
+    OFFSET(LightRecord, as.triangle.corner)                                                        \
+    OFFSET(LightRecord, as.triangle.area)                                                          \
+    OFFSET(LightRecord, as.triangle.edge1)                                                         \
+    OFFSET(LightRecord, as.triangle.edge2)                                                         \
+    OFFSET(LightRecord, as.triangle.orientation)                                                   \
+    OFFSET(LightRecord, as.sphere)                                                                 \
+    OFFSET(LightRecord, as.sphere.center)                                                          \
+    OFFSET(LightRecord, as.sphere.radius)                                                          \
+    OFFSET(LightRecord, as.disk)                                                                   \
+    OFFSET(LightRecord, as.disk.center)                                                            \
+    OFFSET(LightRecord, as.disk.area)                                                              \
+    OFFSET(LightRecord, as.disk.radius1)                                                           \
+    OFFSET(LightRecord, as.disk.radius2)                                                           \
+    OFFSET(LightRecord, as.disk.orientation)                                                       \
+    OFFSET(LightRecord, as.point)                                                                  \
+    OFFSET(LightRecord, as.point.position)                                                         \
+    OFFSET(LightRecord, as.point.intensity)                                                        \
+    OFFSET(LightRecord, as.directional)                                                            \
+    OFFSET(LightRecord, as.directional.to_light)                                                   \
+    OFFSET(LightRecord, as.directional.irradiance)                                                 \
+    OFFSET(LightRecord, as.environment)                                                            \
+    OFFSET(LightRecord, as.environment.unused)                                                     \
+    SIZE(TextureRecord)                                                                            \
+    OFFSET(TextureRecord, offset)                                                                  \
+    OFFSET(TextureRecord, width)                                                                   \
+    OFFSET(TextureRecord, height)                                                                  \
+    OFFSET(TextureRecord, wrap_u)                                                                  \
+    OFFSET(TextureRecord, wrap_v)                                                                  \
+    OFFSET(TextureRecord, unused)                                                                  \
+    SIZE(AliasRecord)                                                                              \
+    OFFSET(AliasRecord, below)                                                                     \
+    OFFSET(AliasRecord, alias)                                                                     \
+    OFFSET(AliasRecord, pmf)                                                                       \
+    OFFSET(AliasRecord, unused)                                                                    \
+    SIZE(HitReport)                                                                                \
+    OFFSET(HitReport, origin)                                                                      \
+    OFFSET(HitReport, direction)                                                                   \
+    OFFSET(HitReport, t)                                                                           \
+    OFFSET(HitReport, primitive)                                                                   \
+    OFFSET(HitReport, instance)                                                                    \
+    OFFSET(HitReport, material)                                                                    \
+    OFFSET(HitReport, front)                                                                       \
+    OFFSET(HitReport, position)                                                                    \
+    OFFSET(HitReport, normal)                                                                      \
+    SIZE(NodeReport)                                                                               \
+    OFFSET(NodeReport, hit)                                                                        \
+    OFFSET(NodeReport, hit.origin)                                                                 \
+    OFFSET(NodeReport, hit.direction)                                                              \
+    OFFSET(NodeReport, hit.t)                                                                      \
+    OFFSET(NodeReport, hit.primitive)                                                              \
+    OFFSET(NodeReport, hit.instance)                                                               \
+    OFFSET(NodeReport, hit.material)                                                               \
+    OFFSET(NodeReport, hit.front)                                                                  \
+    OFFSET(NodeReport, hit.position)                                                               \
+    OFFSET(NodeReport, hit.normal)                                                                 \
+    OFFSET(NodeReport, parent)                                                                     \
+    OFFSET(NodeReport, level)                                                                      \
+    OFFSET(NodeReport, kind)                                                                       \
+    OFFSET(NodeReport, alive)                                                                      \
+    OFFSET(NodeReport, factor)                                                                     \
+    OFFSET(NodeReport, product)                                                                    \
+    OFFSET(NodeReport, emission)                                                                   \
+    OFFSET(NodeReport, ambient)                                                                    \
+    OFFSET(NodeReport, own)                                                                        \
+    OFFSET(NodeReport, returned)                                                                   \
+    SIZE(SourceReport)                                                                             \
+    OFFSET(SourceReport, visible)                                                                  \
+    OFFSET(SourceReport, diffuse)                                                                  \
+    OFFSET(SourceReport, specular)                                                                 \
+    SIZE(BounceReport)                                                                             \
+    OFFSET(BounceReport, hit)                                                                      \
+    OFFSET(BounceReport, hit.origin)                                                               \
+    OFFSET(BounceReport, hit.direction)                                                            \
+    OFFSET(BounceReport, hit.t)                                                                    \
+    OFFSET(BounceReport, hit.primitive)                                                            \
+    OFFSET(BounceReport, hit.instance)                                                             \
+    OFFSET(BounceReport, hit.material)                                                             \
+    OFFSET(BounceReport, hit.front)                                                                \
+    OFFSET(BounceReport, hit.position)                                                             \
+    OFFSET(BounceReport, hit.normal)                                                               \
+    OFFSET(BounceReport, throughput)                                                               \
+    OFFSET(BounceReport, emitted)                                                                  \
+    OFFSET(BounceReport, light)                                                                    \
+    OFFSET(BounceReport, light_pdf)                                                                \
+    OFFSET(BounceReport, light_direction)                                                          \
+    OFFSET(BounceReport, light_distance)                                                           \
+    OFFSET(BounceReport, light_radiance)                                                           \
+    OFFSET(BounceReport, blocked)                                                                  \
+    OFFSET(BounceReport, probability)                                                              \
+    OFFSET(BounceReport, diffuse)                                                                  \
+    OFFSET(BounceReport, f0)                                                                       \
+    OFFSET(BounceReport, alpha)                                                                    \
+    OFFSET(BounceReport, eta)                                                                      \
+    OFFSET(BounceReport, next_direction)                                                           \
+    OFFSET(BounceReport, next_pdf)                                                                 \
+    OFFSET(BounceReport, next_throughput)                                                          \
+    OFFSET(BounceReport, alive)                                                                    \
+    SIZE(LightTracingRecord)                                                                       \
+    OFFSET(LightTracingRecord, center)                                                             \
+    OFFSET(LightTracingRecord, radius)                                                             \
+    OFFSET(LightTracingRecord, splat_scale)                                                        \
+    OFFSET(LightTracingRecord, unused)                                                             \
+    SIZE(RasterRecord)                                                                             \
+    OFFSET(RasterRecord, background)                                                               \
+    OFFSET(RasterRecord, width)                                                                    \
+    OFFSET(RasterRecord, height)                                                                   \
+    OFFSET(RasterRecord, instance_count)                                                           \
+    OFFSET(RasterRecord, triangle_count)                                                           \
+    OFFSET(RasterRecord, primitive_count)                                                          \
+    OFFSET(RasterRecord, subpixels)                                                                \
+    OFFSET(RasterRecord, unused)                                                                   \
+    SIZE(RasterInstance)                                                                           \
+    OFFSET(RasterInstance, to_screen)                                                              \
+    OFFSET(RasterInstance, first_primitive)                                                        \
+    OFFSET(RasterInstance, first_triangle)                                                         \
+    OFFSET(RasterInstance, unused)                                                                 \
+    SIZE(RasterSphere)                                                                             \
+    OFFSET(RasterSphere, center)                                                                   \
+    OFFSET(RasterSphere, radius_pixels)                                                            \
+    OFFSET(RasterSphere, radius)                                                                   \
+    OFFSET(RasterSphere, material)                                                                 \
+    OFFSET(RasterSphere, unused)                                                                   \
+    SIZE(RasterMaterial)                                                                           \
+    OFFSET(RasterMaterial, color)                                                                  \
+    OFFSET(RasterMaterial, texture)                                                                \
+    OFFSET(RasterMaterial, alpha)                                                                  \
+    OFFSET(RasterMaterial, unused)                                                                 \
+    SIZE(BoxVolume)                                                                                \
+    OFFSET(BoxVolume, low)                                                                         \
+    OFFSET(BoxVolume, high)                                                                        \
+    OFFSET(BoxVolume, reach)                                                                       \
+    OFFSET(BoxVolume, unused)                                                                      \
+    SIZE(OrientedBoxVolume)                                                                        \
+    OFFSET(OrientedBoxVolume, axes)                                                                \
+    OFFSET(OrientedBoxVolume, low)                                                                 \
+    OFFSET(OrientedBoxVolume, high)                                                                \
+    OFFSET(OrientedBoxVolume, reach)                                                               \
+    SIZE(SlabsVolume)                                                                              \
+    OFFSET(SlabsVolume, low)                                                                       \
+    OFFSET(SlabsVolume, high)                                                                      \
+    OFFSET(SlabsVolume, reach)                                                                     \
+    OFFSET(SlabsVolume, unused)                                                                    \
+    SIZE(SphereVolume)                                                                             \
+    OFFSET(SphereVolume, center)                                                                   \
+    OFFSET(SphereVolume, radius)                                                                   \
     SIZE(WhittedRecord)                                                                            \
     OFFSET(WhittedRecord, ambient)                                                                 \
     OFFSET(WhittedRecord, has_background)                                                          \
@@ -197,6 +346,7 @@
     OFFSET(WhittedRecord, max_depth)                                                               \
     OFFSET(WhittedRecord, source_count)                                                            \
     OFFSET(WhittedRecord, wavelengths)                                                             \
+    OFFSET(WhittedRecord, pad)                                                                     \
     OFFSET(WhittedRecord, bend)                                                                    \
     OFFSET(WhittedRecord, filter)                                                                  \
     SIZE(PhongRecord)                                                                              \
@@ -218,52 +368,6 @@
     OFFSET(SourceRecord, edge2)                                                                    \
     OFFSET(SourceRecord, two_sided)                                                                \
     OFFSET(SourceRecord, intensity)                                                                \
-    OFFSET(SourceRecord, samples)                                                                  \
-    SIZE(HitReport)                                                                                \
-    OFFSET(HitReport, origin)                                                                      \
-    OFFSET(HitReport, direction)                                                                   \
-    OFFSET(HitReport, t)                                                                           \
-    OFFSET(HitReport, primitive)                                                                   \
-    OFFSET(HitReport, instance)                                                                    \
-    OFFSET(HitReport, material)                                                                    \
-    OFFSET(HitReport, front)                                                                       \
-    OFFSET(HitReport, position)                                                                    \
-    OFFSET(HitReport, normal)                                                                      \
-    SIZE(NodeReport)                                                                               \
-    OFFSET(NodeReport, hit)                                                                        \
-    OFFSET(NodeReport, parent)                                                                     \
-    OFFSET(NodeReport, level)                                                                      \
-    OFFSET(NodeReport, kind)                                                                       \
-    OFFSET(NodeReport, alive)                                                                      \
-    OFFSET(NodeReport, factor)                                                                     \
-    OFFSET(NodeReport, product)                                                                    \
-    OFFSET(NodeReport, emission)                                                                   \
-    OFFSET(NodeReport, ambient)                                                                    \
-    OFFSET(NodeReport, own)                                                                        \
-    OFFSET(NodeReport, returned)                                                                   \
-    SIZE(SourceReport)                                                                             \
-    OFFSET(SourceReport, visible)                                                                  \
-    OFFSET(SourceReport, diffuse)                                                                  \
-    OFFSET(SourceReport, specular)                                                                 \
-    SIZE(BounceReport)                                                                             \
-    OFFSET(BounceReport, hit)                                                                      \
-    OFFSET(BounceReport, throughput)                                                               \
-    OFFSET(BounceReport, emitted)                                                                  \
-    OFFSET(BounceReport, light)                                                                    \
-    OFFSET(BounceReport, light_pdf)                                                                \
-    OFFSET(BounceReport, light_direction)                                                          \
-    OFFSET(BounceReport, light_distance)                                                           \
-    OFFSET(BounceReport, light_radiance)                                                           \
-    OFFSET(BounceReport, blocked)                                                                  \
-    OFFSET(BounceReport, diffuse)                                                                  \
-    OFFSET(BounceReport, f0)                                                                       \
-    OFFSET(BounceReport, alpha)                                                                    \
-    OFFSET(BounceReport, eta)                                                                      \
-    OFFSET(BounceReport, glossy)                                                                   \
-    OFFSET(BounceReport, dielectric)                                                               \
-    OFFSET(BounceReport, next_direction)                                                           \
-    OFFSET(BounceReport, next_pdf)                                                                 \
-    OFFSET(BounceReport, next_throughput)                                                          \
-    OFFSET(BounceReport, alive)
+    OFFSET(SourceRecord, samples)
 
 #endif

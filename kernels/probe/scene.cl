@@ -70,6 +70,20 @@ SCENE_PROBE(surface) {
     output(items, 16, light_pdf(view, origin, direction, hits.t, s));
 }
 
+// In: material, front or not, cosine of the view direction. Out: the probability of each lobe, then
+// whether each is there.
+SCENE_PROBE(material) {
+    Surface s;
+    s.material = input_natural(items, 0);
+    s.front = input_mask(items, 1);
+    s.uv = make2((real)(0.0f), (real)(0.0f));
+    const Bsdf b = material_bsdf(view, s, input(items, 2));
+#define OUTPUT_LOBE(NAME, name, Type, transmits, kinds)                                            \
+    output(items, LOBE_##NAME, b.probability.name);                                                \
+    output_mask(items, LOBE_COUNT + LOBE_##NAME, b.has.name);
+    LOBES(OUTPUT_LOBE)
+}
+
 // In: pixel, sample. Out: origin (3), direction (3).
 SCENE_PROBE(camera) {
     const natural pixel = input_natural(items, 0);

@@ -1,25 +1,36 @@
-// A surface's BSDF as numbers, and the choice among its lobes. Local directions: the shading
-// normal is +z, wo is above. Opaque surfaces are a diffuse lobe under a glossy one (glTF 2.0,
-// appendix B); a diffuse material has no glossy lobe, a conductor no diffuse one. Glass is apart.
+// The BSDF: a sum of lobes, and the choice among them. Local directions: the shading normal is +z,
+// wo is above. What a lobe is stands in shade/lobes/lobe.h; which ones there are in LOBES.
 #ifndef ONDE_SHADE_BSDF_H
 #define ONDE_SHADE_BSDF_H
 
 #include "shade/lobes/dielectric.h"
 #include "shade/lobes/diffuse.h"
+#include "shade/lobes/glossy.h"
 
-// Compile-time: whether any material of the scene is glass.
-#ifndef ONDE_DIELECTRICS
-    #define ONDE_DIELECTRICS 1
+// Bit LOBE_...: the lobes that some material of the scene has.
+#ifndef ONDE_LOBES
+    #define ONDE_LOBES 0xffffffffu
 #endif
+#define HAS_LOBE(NAME) (ONDE_LOBES >> LOBE_##NAME & 1u)
 
+// The probability of a lobe that a material has is no smaller.
+#define LEAST_LOBE_PROBABILITY 0.1f
+
+#define LOBE_MASK(NAME, name, Type, transmits, kinds) mask name;
 typedef struct {
-    real3 diffuse; // albedo of the diffuse lobe; glass: tint of what goes through
-    real3 f0;      // reflectance of the glossy lobe at normal incidence
-    real f90;      // and at grazing: 0 switches the lobe off
-    real alpha;
-    real glossy; // probability of choosing the glossy lobe
-    real eta;    // glass: index below over index above
-    mask dielectric;
+    LOBES(LOBE_MASK)
+} LobeMasks;
+#define LOBE_NUMBER(NAME, name, Type, transmits, kinds) real name;
+typedef struct {
+    LOBES(LOBE_NUMBER)
+} LobeNumbers;
+
+#define LOBE_MEMBER(NAME, name, Type, transmits, kinds) Type name;
+typedef struct {
+    LOBES(LOBE_MEMBER)
+    LobeMasks has;
+    LobeNumbers probability; // of choosing a lobe
+    LobeNumbers reach;       // and of choosing it or one that LOBES has after it
 } Bsdf;
 
 typedef struct {
@@ -35,97 +46,118 @@ typedef struct {
     mask valid;
 } BsdfSample;
 
-INLINE BsdfValue opaque_eval(Bsdf b, real3 wo, real3 wi) {
-    const real3 h = normalize3(add3(wo, wi));
-    const real3 fresnel = fresnel_schlick(b.f0, b.f90, dot3(wo, h));
-    const real3 through = make3(1.0f - fresnel.x, 1.0f - fresnel.y, 1.0f - fresnel.z);
-    BsdfValue v;
-    v.value = mul3(through, diffuse_eval(b.diffuse, wi));
-    v.pdf = (1.0f - b.glossy) * diffuse_pdf(wi);
-    const mask rough = (b.glossy > 0.0f) & (b.alpha >= SMOOTH_ALPHA);
-    if_any (rough) {
-        const real3 sum = madd3(fresnel, glossy_eval(wo, wi, h, b.alpha), v.value);
-        v.value = choose(rough, sum, v.value);
-        v.pdf = choose(rough, fma(b.glossy, glossy_pdf(wo, h, b.alpha), v.pdf), v.pdf);
+// The weights of the lobes that are there, and their number, from one of LOBES on.
+typedef struct {
+    real weight, count;
+} LobeSum;
+
+INLINE LobeSum lobes_from(uint first, LobeMasks there, LobeNumbers weight) {
+    LobeSum sum;
+    sum.weight = sum.count = (real)(0.0f);
+#define ADD_LOBE(NAME, name, Type, transmits, kinds)                                               \
+    if (HAS_LOBE(NAME) && LOBE_##NAME >= first) {                                                  \
+        sum.weight += choose(there.name, weight.name, (real)(0.0f));                               \
+        sum.count += choose(there.name, (real)(1.0f), (real)(0.0f));                               \
     }
-    const mask above = wi.z > 0.0f;
-    v.value = choose(above, v.value, zero3());
-    v.pdf = choose(above, v.pdf, (real)(0.0f));
-    return v;
+    LOBES(ADD_LOBE)
+#undef ADD_LOBE
+    return sum;
 }
 
-INLINE BsdfValue glass_eval(Bsdf b, real3 wo, real3 wi) {
-    const mask rough = b.alpha >= SMOOTH_ALPHA;
-    const DielectricValue d = dielectric_eval(wo, wi, b.alpha, b.eta);
-    BsdfValue v;
-    v.value = madd3(b.diffuse, d.transmitted, splat3(d.reflected));
-    v.value = choose(rough, v.value, zero3());
-    v.pdf = choose(rough, d.pdf, (real)(0.0f));
-    return v;
+// The probability of choosing a lobe from `first` on, by what the lobes reflect.
+INLINE real lobe_reach(uint first, LobeMasks there, LobeNumbers weight) {
+    const LobeSum all = lobes_from(0, there, weight), from = lobes_from(first, there, weight);
+    const real before = all.count - from.count;
+    const real low = LEAST_LOBE_PROBABILITY * from.count;
+    const real high = 1.0f - LEAST_LOBE_PROBABILITY * before;
+    const real share = from.weight / max_real(all.weight, (real)(1e-6f));
+    return choose(before > 0.0f, min_real(max_real(share, low), high), (real)(1.0f));
+}
+
+// cosine: of the view direction and the shading normal, > 0.
+INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m, real cosine) {
+    Bsdf b;
+    LobeMasks there;
+    LobeNumbers weight;
+#define LOAD_LOBE(NAME, name, Type, transmits, kinds)                                              \
+    if (HAS_LOBE(NAME)) {                                                                          \
+        b.name = name##_load(view, m);                                                             \
+        b.has.name = ((natural)(kinds) >> m.kind & 1u) != 0u;                                      \
+        weight.name = name##_weight(b.name, cosine);                                               \
+        there.name = b.has.name & (weight.name > 0.0f);                                            \
+    }
+    LOBES(LOAD_LOBE)
+#undef LOAD_LOBE
+#define CHOOSE_LOBE(NAME, name, Type, transmits, kinds)                                            \
+    if (HAS_LOBE(NAME)) {                                                                          \
+        b.reach.name = lobe_reach(LOBE_##NAME, there, weight);                                     \
+        b.probability.name = b.reach.name - lobe_reach(LOBE_##NAME + 1, there, weight);            \
+    }
+    LOBES(CHOOSE_LOBE)
+#undef CHOOSE_LOBE
+    return b;
 }
 
 // Delta lobes are left out: their value and pdf are zero here.
 INLINE BsdfValue bsdf_eval(Bsdf b, real3 wo, real3 wi) {
-    BsdfValue v = opaque_eval(b, wo, wi);
-#if ONDE_DIELECTRICS
-    if_any (b.dielectric) {
-        const BsdfValue glass = glass_eval(b, wo, wi);
-        v.value = choose(b.dielectric, glass.value, v.value);
-        v.pdf = choose(b.dielectric, glass.pdf, v.pdf);
+    BsdfValue v;
+    v.value = zero3();
+    v.pdf = (real)(0.0f);
+#define EVAL_LOBE(NAME, name, Type, transmits, kinds)                                              \
+    if (HAS_LOBE(NAME)) {                                                                          \
+        if_any (b.has.name) {                                                                      \
+            const LobeValue lobe = name##_eval(b.name, wo, wi);                                    \
+            const real pdf = name##_pdf(b.name, wo, wi);                                           \
+            v.value = choose(b.has.name, fma3(lobe.tint, lobe.value, v.value), v.value);           \
+            v.pdf = choose(b.has.name, fma(b.probability.name, pdf, v.pdf), v.pdf);                \
+        }                                                                                          \
     }
-#endif
+    LOBES(EVAL_LOBE)
+#undef EVAL_LOBE
     return v;
-}
-
-INLINE BsdfSample opaque_sample(Bsdf b, real3 wo, real choice, real2 u) {
-    const mask glossy = choice < b.glossy;
-    const mask delta = glossy & (b.alpha < SMOOTH_ALPHA);
-    BsdfSample s;
-    s.wi = diffuse_sample(u);
-    if_any (glossy) {
-        real3 wi = glossy_sample(wo, max_real(b.alpha, (real)(SMOOTH_ALPHA)), u);
-        wi = choose(delta, make3(-wo.x, -wo.y, wo.z), wi);
-        s.wi = choose(glossy, wi, s.wi);
-    }
-    const BsdfValue v = opaque_eval(b, wo, s.wi);
-    const real3 mirrored =
-        scale3(fresnel_schlick(b.f0, b.f90, wo.z), 1.0f / max_real(b.glossy, (real)(1e-9f)));
-    s.weight = choose(delta, mirrored, scale3(v.value, 1.0f / max_real(v.pdf, (real)(1e-30f))));
-    s.pdf = choose(delta, (real)(0.0f), v.pdf);
-    s.delta = delta;
-    s.valid = (s.wi.z > 0.0f) & (delta | (v.pdf > 0.0f));
-    return s;
-}
-
-INLINE BsdfSample glass_sample(Bsdf b, real3 wo, real choice, real2 u) {
-    const DielectricSample d = dielectric_sample(wo, b.alpha, b.eta, choice, u);
-    const BsdfValue v = glass_eval(b, wo, d.wi);
-    const real3 tint = scale3(b.diffuse, 1.0f / (b.eta * b.eta));
-    BsdfSample s;
-    s.wi = d.wi;
-    s.delta = b.alpha < SMOOTH_ALPHA;
-    s.weight = choose(s.delta, choose(d.transmitted, tint, splat3((real)(1.0f))),
-                      scale3(v.value, 1.0f / max_real(v.pdf, (real)(1e-30f))));
-    s.pdf = choose(s.delta, (real)(0.0f), v.pdf);
-    s.valid = choose(d.transmitted, -d.wi.z, d.wi.z) > 0.0f;
-    s.valid = s.valid & (s.delta | (v.pdf > 0.0f));
-    return s;
 }
 
 // choice picks the lobe, u the direction; all in [0, 1).
 INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
-    BsdfSample s = opaque_sample(b, wo, choice, u);
-#if ONDE_DIELECTRICS
-    if_any (b.dielectric) {
-        const BsdfSample glass = glass_sample(b, wo, choice, u);
-        s.wi = choose(b.dielectric, glass.wi, s.wi);
-        s.weight = choose(b.dielectric, glass.weight, s.weight);
-        s.pdf = choose(b.dielectric, glass.pdf, s.pdf);
-        s.delta = choose(b.dielectric, glass.delta, s.delta);
-        s.valid = choose(b.dielectric, glass.valid, s.valid);
+    LobeSample lobe;
+    lobe.wi = lobe.weight = zero3();
+    lobe.delta = lobe.valid = choice < 0.0f;
+    real probability = (real)(1.0f);
+#define SAMPLE_LOBE(NAME, name, Type, transmits, kinds)                                            \
+    if (HAS_LOBE(NAME)) {                                                                          \
+        const mask chosen = (choice < b.reach.name) & (b.probability.name > 0.0f);                 \
+        if_any (chosen) {                                                                          \
+            lobe = choose(chosen, name##_sample(b.name, wo, choice, u), lobe);                     \
+            probability = choose(chosen, b.probability.name, probability);                         \
+        }                                                                                          \
     }
-#endif
+    LOBES(SAMPLE_LOBE)
+#undef SAMPLE_LOBE
+    const BsdfValue v = bsdf_eval(b, wo, lobe.wi);
+    BsdfSample s;
+    s.wi = lobe.wi;
+    s.delta = lobe.delta;
+    s.weight = choose(lobe.delta, scale3(lobe.weight, 1.0f / max_real(probability, (real)(1e-9f))),
+                      scale3(v.value, 1.0f / max_real(v.pdf, (real)(1e-30f))));
+    s.pdf = choose(lobe.delta, (real)(0.0f), v.pdf);
+    s.valid = lobe.valid & (lobe.delta | (v.pdf > 0.0f));
     return s;
+}
+
+// Whether light may pass the surface.
+INLINE mask bsdf_transmits(Bsdf b) {
+    mask passes = (mask)(0);
+#define ADD_LOBE(NAME, name, Type, transmits, kinds)                                               \
+    if (HAS_LOBE(NAME) && transmits) passes = passes | b.has.name;
+    LOBES(ADD_LOBE)
+#undef ADD_LOBE
+    return passes;
+}
+
+// The index below over the index above, where light is refracted; 1 elsewhere.
+INLINE real bsdf_eta(Bsdf b) {
+    const real one = (real)(1.0f);
+    return HAS_LOBE(DIELECTRIC) ? choose(b.has.dielectric, b.dielectric.eta, one) : one;
 }
 
 #endif

@@ -6,6 +6,13 @@
 #include "math/sampling.h"
 #include "shared/scene.h"
 
+INLINE real3 half_vector(real3 wo, real3 wi) {
+    return normalize3(add3(wo, wi));
+}
+INLINE real3 reflect_about(real3 wo, real3 h) {
+    return madd3(h, 2.0f * dot3(wo, h), negate3(wo));
+}
+
 // Walter et al. 2007, eq. 33.
 INLINE real ggx_distribution(real3 h, real alpha) {
     const real a2 = alpha * alpha;

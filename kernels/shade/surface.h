@@ -15,6 +15,10 @@ typedef struct {
     mask front;    // whether that side is the front face
 } Surface;
 
+// A field of a surface's own record, a float or uint: SURFACE_FIELD(view, i, sphere.radius).
+#define SURFACE_FIELD(view, i, field) RECORD(view.surfaces, i, SurfaceRecord, field)
+#define SURFACE_NATURAL(view, i, field) RECORD_NATURAL(view.surfaces, i, SurfaceRecord, field)
+
 // The one offset rule for ray origins: along the geometric normal, in proportion to the largest
 // number that went into the position, about a hundred times its rounding error.
 #define ORIGIN_OFFSET 2e-5f
@@ -156,8 +160,8 @@ INLINE ShapePoint shape_point(SceneView view, natural record, natural instance, 
     p.x = dot3(INSTANCE_ROW(view, i, world_to_object, 0), world) + to_object.x;
     p.y = dot3(INSTANCE_ROW(view, i, world_to_object, 1), world) + to_object.y;
     p.z = dot3(INSTANCE_ROW(view, i, world_to_object, 2), world) + to_object.z;
-    const natural kind = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, tangent);
-    const real minor_radius = RECORD(view.surfaces, record, SurfaceRecord, uv[0]);
+    const natural kind = SURFACE_NATURAL(view, record, shape.shape);
+    const real minor_radius = SURFACE_FIELD(view, record, shape.minor_radius);
     real3 d;
     d.x = dot3(INSTANCE_ROW(view, i, world_to_object, 0), direction);
     d.y = dot3(INSTANCE_ROW(view, i, world_to_object, 1), direction);
@@ -180,15 +184,14 @@ INLINE ShapePoint shape_point(SceneView view, natural record, natural instance, 
 // The normal told by the material's normal map (glTF 2.0, section 3.9.3), or n where it has none.
 INLINE real3 mapped_normal(SceneView view, Hits hit, natural record, natural material, real2 uv,
                            real3 n) {
-    const natural texture =
-        RECORD_NATURAL(view.materials, material, MaterialRecord, normal_texture);
+    const natural texture = material_texture(view, material, TEXTURE_NORMAL);
     const mask present = texture != NO_INDEX;
     if (!mask_bits(present)) return n;
     const real scale = RECORD(view.materials, material, MaterialRecord, normal_scale);
     real3 m = texture_data(view, texture, uv);
     m = make3(fma(m.x, (real)(2.0f), (real)(-1.0f)) * scale,
               fma(m.y, (real)(2.0f), (real)(-1.0f)) * scale, fma(m.z, (real)(2.0f), (real)(-1.0f)));
-    const natural word = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, tangent);
+    const natural word = gather_natural(view.tangents, record);
     Tangent frame;
     frame.sign = choose((word & 1u) != 0u, (real)(-1.0f), (real)(1.0f));
     frame.direction = decode_octahedral(word & ~1u);
@@ -209,62 +212,97 @@ INLINE real3 mapped_normal(SceneView view, Hits hit, natural record, natural mat
 }
 #endif
 
+// Where the corners of a triangle are among the vertices; the first vertex for other surfaces.
+typedef struct {
+    natural vertex[3];
+} Corners;
+
+INLINE Corners triangle_corners(SceneView view, natural record, mask triangle) {
+    const natural zero = (natural)(0u);
+    Corners c;
+    c.vertex[0] = choose(triangle, SURFACE_NATURAL(view, record, triangle.vertex[0]), zero);
+    c.vertex[1] = choose(triangle, SURFACE_NATURAL(view, record, triangle.vertex[1]), zero);
+    c.vertex[2] = choose(triangle, SURFACE_NATURAL(view, record, triangle.vertex[2]), zero);
+    return c;
+}
+
+INLINE real3 corner_normal(SceneView view, natural vertex) {
+    return decode_octahedral(RECORD_NATURAL(view.vertices, vertex, VertexRecord, normal));
+}
+// u and v are the weights of corners 1 and 2.
+INLINE real3 triangle_normal(SceneView view, Corners c, real u, real v) {
+    const real3 n0 = corner_normal(view, c.vertex[0]), n1 = corner_normal(view, c.vertex[1]);
+    const real3 n2 = corner_normal(view, c.vertex[2]);
+    return normalize3(madd3(n2, v, madd3(n1, u, scale3(n0, 1.0f - u - v))));
+}
+INLINE real2 triangle_uv(SceneView view, Corners c, real u, real v) {
+    real2 uv = make2((real)(0.0f), (real)(0.0f));
+#if ONDE_TEXTURES
+    const real w = 1.0f - u - v;
+    uv.x = RECORD(view.vertices, c.vertex[2], VertexRecord, uv[0]) * v;
+    uv.x = fma(RECORD(view.vertices, c.vertex[1], VertexRecord, uv[0]), u, uv.x);
+    uv.x = fma(RECORD(view.vertices, c.vertex[0], VertexRecord, uv[0]), w, uv.x);
+    uv.y = RECORD(view.vertices, c.vertex[2], VertexRecord, uv[1]) * v;
+    uv.y = fma(RECORD(view.vertices, c.vertex[1], VertexRecord, uv[1]), u, uv.y);
+    uv.y = fma(RECORD(view.vertices, c.vertex[0], VertexRecord, uv[1]), w, uv.y);
+#endif
+    return uv;
+}
+
+#if ONDE_SPHERES
+// Sets position and normals of the lanes whose surface is a sphere.
+INLINE Surface on_sphere(SceneView view, natural record, real3 direction, Surface s, mask sphere) {
+    const real3 center = RECORD3(view.surfaces, record, SurfaceRecord, sphere.center);
+    const real radius = SURFACE_FIELD(view, record, sphere.radius);
+    const real3 from = sub3(s.position, center);
+    const real far = length3(from);
+    const real slide = slide_back(far - radius, dot3(from, direction) / far);
+    const real3 outward = normalize3(madd3(direction, slide, from));
+    s.geometric = choose(sphere, outward, s.geometric);
+    s.normal = choose(sphere, outward, s.normal);
+    s.position = choose(sphere, madd3(outward, radius, center), s.position);
+    return s;
+}
+#endif
+
 // The surface at the hits of `lanes`; other lanes hold the first primitive's.
 INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hit, mask lanes) {
     const natural record = choose(lanes, hit.primitive, (natural)(0u));
     hit.instance = choose(lanes, hit.instance, (natural)(BVH_NONE));
     const real u = choose(lanes, hit.u, (real)(0.0f)), v = choose(lanes, hit.v, (real)(0.0f));
-    const real w = 1.0f - u - v;
     Surface s;
     s.position = madd3(direction, hit.t, origin);
-    const natural word = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, material);
-    s.material = word & SURFACE_MATERIAL_MASK;
-    s.light = RECORD_NATURAL(view.surfaces, record, SurfaceRecord, light);
+    const natural tag = SURFACE_NATURAL(view, record, any.tag);
+    s.material = SURFACE_MATERIAL(tag);
+    s.light = SURFACE_NATURAL(view, record, any.light);
 
-    real3 geometric = RECORD3(view.surfaces, record, SurfaceRecord, geometric);
-    const real3 n0 =
-        decode_octahedral(RECORD_NATURAL(view.surfaces, record, SurfaceRecord, normal[0]));
-    const real3 n1 =
-        decode_octahedral(RECORD_NATURAL(view.surfaces, record, SurfaceRecord, normal[1]));
-    const real3 n2 =
-        decode_octahedral(RECORD_NATURAL(view.surfaces, record, SurfaceRecord, normal[2]));
-    const real3 smooth = normalize3(madd3(n2, v, madd3(n1, u, scale3(n0, w))));
-    // Sixteen bits would bend mirrors by 3e-5.
-    real3 normal = choose((word & SURFACE_FLAT) != 0u, geometric, smooth);
-    s.uv = make2(RECORD(view.surfaces, record, SurfaceRecord, uv[4]) * v, (real)(0.0f));
-    s.uv.x = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[2]), u, s.uv.x);
-    s.uv.x = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[0]), w, s.uv.x);
-    s.uv.y = RECORD(view.surfaces, record, SurfaceRecord, uv[5]) * v;
-    s.uv.y = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[3]), u, s.uv.y);
-    s.uv.y = fma(RECORD(view.surfaces, record, SurfaceRecord, uv[1]), w, s.uv.y);
+    mask triangle = lanes;
+#if ONDE_SPHERES || ONDE_SHAPES
+    triangle = triangle & ((tag & (SURFACE_SPHERE | SURFACE_SHAPE)) == 0u);
+#endif
+    const Corners corners = triangle_corners(view, record, triangle);
+    s.geometric = RECORD3(view.surfaces, record, SurfaceRecord, triangle.geometric);
+    s.normal = s.geometric;
+    const mask curved = triangle & ((tag & SURFACE_FLAT) == 0u);
+    if_any (curved) // sixteen bits would bend the others, where they are mirrors, by 3e-5
+        s.normal = choose(curved, triangle_normal(view, corners, u, v), s.normal);
+    s.uv = triangle_uv(view, corners, u, v);
 #if ONDE_SPHERES
-    const mask sphere = (word & SURFACE_SPHERE) != 0u;
-    if_any (sphere) {
-        const real3 from = sub3(s.position, geometric); // the centre, for a sphere
-        const real far = length3(from);
-        const real slide = slide_back(far - s.uv.x, dot3(from, direction) / far);
-        const real3 outward = normalize3(madd3(direction, slide, from));
-        geometric = choose(sphere, outward, geometric);
-        normal = choose(sphere, outward, normal);
-        s.position =
-            choose(sphere,
-                   madd3(outward, s.uv.x, RECORD3(view.surfaces, record, SurfaceRecord, geometric)),
-                   s.position);
-    }
+    const mask sphere = lanes & ((tag & SURFACE_SPHERE) != 0u);
+    if_any (sphere) s = on_sphere(view, record, direction, s, sphere);
 #endif
 #if ONDE_SHAPES
-    const mask shape = lanes & ((word & SURFACE_SHAPE) != 0u); // the others have no instance
+    const mask shape = lanes & ((tag & SURFACE_SHAPE) != 0u); // the others have no instance
     if_any (shape) {
         const ShapePoint point =
             shape_point(view, record, hit.instance, s.position, direction, shape);
-        geometric = choose(shape, point.normal, geometric);
-        normal = choose(shape, point.normal, normal);
+        s.geometric = choose(shape, point.normal, s.geometric);
+        s.normal = choose(shape, point.normal, s.normal);
         s.position = choose(shape, point.position, s.position);
-        s.uv.x = choose(shape, (real)(0.0f), s.uv.x);
     }
 #endif
-    geometric = instance_normal(view, hit.instance, geometric);
-    normal = instance_normal(view, hit.instance, normal);
+    const real3 geometric = instance_normal(view, hit.instance, s.geometric);
+    real3 normal = instance_normal(view, hit.instance, s.normal);
     normal = mapped_normal(view, hit, record, s.material, s.uv, normal);
 
     s.front = dot3(geometric, direction) < 0.0f;

@@ -64,6 +64,13 @@ INLINE TexelQuad fetch_quad(SceneView view, natural texture, real2 uv) {
     return quad;
 }
 
+// The texture of a material's slot, TEXTURE_...; NO_INDEX where it has none.
+INLINE natural material_texture(SceneView view, natural material, uint slot) {
+    return gather_natural((__global const uint*)view.materials,
+                          material * (uint)(sizeof(MaterialRecord) / 4) +
+                              (uint)(__builtin_offsetof(MaterialRecord, texture) / 4) + slot);
+}
+
 // Linear values of a texture that stores data (normals, roughness).
 INLINE real3 texture_data(SceneView view, natural texture, real2 uv) {
     const mask present = texture != NO_INDEX;

@@ -25,7 +25,7 @@ INLINE real3 vertex_exit(Vertex v, real3 d) {
 // reflection and refraction on the true sides too.
 INLINE mask true_side(Vertex v, real3 wi, real3 world) {
     const real outward = dot3(world, v.surface.geometric);
-    return choose(wi.z > 0.0f, outward > 0.0f, (outward < 0.0f) & v.bsdf.dielectric);
+    return choose(wi.z > 0.0f, outward > 0.0f, (outward < 0.0f) & bsdf_transmits(v.bsdf));
 }
 
 // Russian roulette: the probability with which a path of this throughput goes on.

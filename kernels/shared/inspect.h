@@ -2,6 +2,7 @@
 #ifndef ONDE_SHARED_INSPECT_H
 #define ONDE_SHARED_INSPECT_H
 
+#include "shared/scene.h"
 #include "shared/types.h"
 
 // Where a ray ended. primitive is BVH_NONE on a miss, where the rest is 0.
@@ -44,10 +45,9 @@ typedef struct {
     float light_distance;    // of the shadow ray; 0: none was needed
     float light_radiance[3]; // what it adds if it is not blocked, weighted
     uint blocked;
+    float probability[LOBE_COUNT]; // of choosing a lobe
     float diffuse[3], f0[3];
     float alpha, eta;
-    float glossy; // probability of the glossy lobe
-    uint dielectric;
     float next_direction[3];
     float next_pdf; // 0 for a delta direction
     float next_throughput[3];

@@ -12,67 +12,140 @@
 #define MATERIAL_DIELECTRIC 2u
 #define MATERIAL_METALLIC_ROUGHNESS 3u
 
+// The lobes that a BSDF is the sum of, each once: LOBE(NAME, name, Type, transmits, kinds). `name`
+// has a file kernels/shade/lobes/name.h with its Type; `transmits` says whether light may pass the
+// surface, `kinds` which kinds of material have it. What no material of a scene has is not
+// compiled.
+#define OF_KIND(NAME) (1u << MATERIAL_##NAME)
+#define LOBES(LOBE)                                                                                \
+    LOBE(DIFFUSE, diffuse, DiffuseLobe, 0, OF_KIND(DIFFUSE) | OF_KIND(METALLIC_ROUGHNESS))         \
+    LOBE(GLOSSY, glossy, GlossyLobe, 0, OF_KIND(CONDUCTOR) | OF_KIND(METALLIC_ROUGHNESS))          \
+    LOBE(DIELECTRIC, dielectric, DielectricLobe, 1, OF_KIND(DIELECTRIC))
+#define LOBE_INDEX(NAME, name, Type, transmits, kinds) LOBE_##NAME,
+enum { LOBES(LOBE_INDEX) LOBE_COUNT };
+
 // Below this alpha (roughness^2) a surface is treated as perfectly smooth.
 #define SMOOTH_ALPHA 1e-3f
 
-// 64 bytes. See onde::Material for meanings; textures are NO_INDEX where there is none.
+// What the kernels know of a material, each once, by the names of onde::Material's members:
+// colours, numbers, textures (SLOT(NAME, name) stands for name_texture).
+#define MATERIAL_COLORS(COLOR) COLOR(base_color) COLOR(emission)
+#define MATERIAL_NUMBERS(NUMBER) NUMBER(roughness) NUMBER(metallic) NUMBER(ior) NUMBER(normal_scale)
+#define TEXTURE_SLOTS(SLOT)                                                                        \
+    SLOT(BASE_COLOR, base_color)                                                                   \
+    SLOT(METALLIC_ROUGHNESS, metallic_roughness)                                                   \
+    SLOT(EMISSION, emission)                                                                       \
+    SLOT(NORMAL, normal)
+
+#define TEXTURE_INDEX(NAME, name) TEXTURE_##NAME,
+enum { TEXTURE_SLOTS(TEXTURE_INDEX) TEXTURE_COUNT };
+
+// See onde::Material for meanings.
+#define COLOR_MEMBER(name) float name[3];
+#define NUMBER_MEMBER(name) float name;
 typedef struct {
-    float base_color[3];
     uint kind;
-    float emission[3];
-    float roughness;
-    float metallic;
-    float ior;
-    float normal_scale;
     uint two_sided;
-    uint base_color_texture;
-    uint metallic_roughness_texture;
-    uint emission_texture;
-    uint normal_texture;
+    MATERIAL_COLORS(COLOR_MEMBER)
+    MATERIAL_NUMBERS(NUMBER_MEMBER)
+    uint texture[TEXTURE_COUNT]; // by slot: index of a TextureRecord, or NO_INDEX
 } MaterialRecord;
 
-#define LIGHT_UNLISTED 0xfffffffeu        // emits too little to be worth sampling; rays may find it
-#define SURFACE_SPHERE 0x80000000u        // flag in SurfaceRecord.material
-#define SURFACE_SHAPE 0x40000000u         // likewise; none of both: a triangle
-#define SURFACE_FLAT 0x20000000u          // a triangle whose corner normals all are `geometric`
-#define SURFACE_MATERIAL_MASK 0x1fffffffu // the index in it
+#define LIGHT_UNLISTED 0xfffffffeu // emits too little to be worth sampling; rays may find it
 
-// 64 bytes, one per primitive. Unit vectors are octahedral, 2 x 16 bits (see math/elementary.h).
-// Triangle: corner normals, tangent, uvs and geometric normal in object space.
-// Sphere: `geometric` holds the centre, `uv[0]` the radius; the rest is unused.
-// Shape: `tangent` holds SHAPE_..., `uv[0]` the minor radius; the rest is unused.
+// A surface's tag: the index of its material, and what it is.
+#define SURFACE_SPHERE 0x80000000u
+#define SURFACE_SHAPE 0x40000000u // neither: a triangle
+#define SURFACE_FLAT 0x20000000u  // a triangle whose corner normals all are `geometric`
+#define SURFACE_MATERIAL(tag) ((tag)&0x1fffffffu)
+
+// The corner of a triangle. Unit vectors are octahedral, 2 x 16 bits (see math/elementary.h).
 typedef struct {
-    uint normal[3];
-    uint material; // index, with SURFACE_SPHERE, SURFACE_SHAPE or SURFACE_FLAT
-    float uv[6];   // u0 v0 u1 v1 u2 v2
-    float geometric[3];
-    uint tangent; // octahedral with the lowest bit replaced by the sign of the bitangent
-    uint light;   // index into the lights, NO_INDEX, or LIGHT_UNLISTED
-    uint unused;
+    uint normal; // in object space
+    float uv[2];
+} VertexRecord;
+
+// 32 bytes, one per primitive. `light`: index into the lights, NO_INDEX, or LIGHT_UNLISTED.
+typedef struct {
+    uint tag, light;
+} AnySurface;
+typedef struct {
+    uint tag, light;
+    uint vertex[3];     // indices of VertexRecords
+    float geometric[3]; // unit normal in object space
+} TriangleSurface;
+typedef struct {
+    uint tag, light;
+    float center[3]; // in the world
+    float radius;
+    uint unused[2];
+} SphereSurface;
+typedef struct {
+    uint tag, light;
+    uint shape; // SHAPE_...
+    float minor_radius;
+    uint unused[4];
+} ShapeSurface;
+typedef union {
+    AnySurface any;
+    TriangleSurface triangle;
+    SphereSurface sphere;
+    ShapeSurface shape;
 } SurfaceRecord;
 
-#define LIGHT_TRIANGLE 0u
-#define LIGHT_SPHERE 1u
-#define LIGHT_POINT 2u
-#define LIGHT_DIRECTIONAL 3u
-#define LIGHT_ENVIRONMENT 4u
-#define LIGHT_DISK 5u
-
-// 80 bytes, in world space.
+// What a light of each type has, in world space. Floats only: lanes of other types read them too,
+// and what indexes something stands in LightRecord.
 typedef struct {
-    uint kind;
+    float corner[3];
+    float area;
+    float edge1[3], edge2[3]; // from the corner
+    float orientation;        // +1, or -1 when the front face is on the other side of e1 x e2
+} TriangleLightRecord;
+typedef struct {
+    float center[3];
+    float area;
+    float radius1[3], radius2[3]; // conjugate radii
+    float orientation;            // as a triangle's
+} DiskLightRecord;
+typedef struct {
+    float center[3];
+    float radius;
+} SphereLightRecord;
+typedef struct {
+    float position[3];
+    float intensity[3];
+} PointLightRecord;
+typedef struct {
+    float to_light[3]; // unit
+    float irradiance[3];
+} DirectionalLightRecord;
+typedef struct {
+    float unused; // what it is stands in the frame
+} EnvironmentLightRecord;
+
+// The types of light, each once: LIGHT(NAME, name, Record). `name` has a file
+// kernels/shade/lights/name.h; types that a scene does not have are not compiled.
+#define LIGHT_TYPES(LIGHT)                                                                         \
+    LIGHT(TRIANGLE, triangle, TriangleLightRecord)                                                 \
+    LIGHT(SPHERE, sphere, SphereLightRecord)                                                       \
+    LIGHT(DISK, disk, DiskLightRecord)                                                             \
+    LIGHT(POINT, point, PointLightRecord)                                                          \
+    LIGHT(DIRECTIONAL, directional, DirectionalLightRecord)                                        \
+    LIGHT(ENVIRONMENT, environment, EnvironmentLightRecord)
+#define LIGHT_INDEX(NAME, name, Record) LIGHT_##NAME,
+enum { LIGHT_TYPES(LIGHT_INDEX) LIGHT_TYPE_COUNT };
+
+#define LIGHT_RECORD(NAME, name, Record) Record name;
+typedef struct {
+    uint kind;         // LIGHT_...
     float pmf;         // probability of being chosen
     float alias_below; // stay here when the choice's fraction is below, else take alias
     uint alias;
-    float
-        position[3]; // triangle: first corner; sphere, disk: centre; directional: unit vector to it
-    float area;      // triangle, disk: area; sphere: radius
-    float edge1[3];  // triangle: edges from the first corner; disk: two conjugate radii
-    uint material;   // triangle, sphere: emitting material
-    float edge2[3];
-    uint surface;      // triangle: its SurfaceRecord
-    float radiance[3]; // point: intensity; directional: irradiance
-    float orientation; // triangle: +1, or -1 when the front face is on the other side of e1 x e2
+    uint material; // that emits; 0 where the light has no surface
+    uint surface;  // its SurfaceRecord; likewise
+    union {
+        LIGHT_TYPES(LIGHT_RECORD)
+    } as;
 } LightRecord;
 
 #define WRAP_REPEAT 0u
@@ -96,9 +169,13 @@ typedef struct {
 } AliasRecord;
 
 // The buffers of a scene beside its tree's, each once, as BVH_BUFFERS in shared/bvh.h.
+// vertices: the first is for triangles that have none of their own. tangents: one per primitive
+// of scenes with textures, octahedral with the lowest bit replaced by the sign of the bitangent.
 // srgb: 256 entries, from 8-bit sRGB to linear. environment: 3 floats per pixel.
 #define SCENE_BUFFERS(BUFFER)                                                                      \
     BUFFER(SurfaceRecord, surfaces, "surfaces")                                                    \
+    BUFFER(VertexRecord, vertices, "vertices")                                                     \
+    BUFFER(uint, tangents, "tangents")                                                             \
     BUFFER(MaterialRecord, materials, "materials")                                                 \
     BUFFER(LightRecord, lights, "lights")                                                          \
     BUFFER(TextureRecord, textures, "texture records")                                             \

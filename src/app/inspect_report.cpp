@@ -29,7 +29,7 @@ std::string material_name(const Scene& scene, uint32_t material) {
 std::string hit_text(const HitReport& hit, const Scene& scene, const PackedScene& packed) {
     if (hit.primitive == BVH_NONE)
         return fmt::format("leaves the scene toward {}", text(hit.direction));
-    const uint32_t flags = packed.surfaces.at(hit.primitive).material;
+    const uint32_t flags = packed.surfaces.at(hit.primitive).any.tag;
     const char* kind = flags & SURFACE_SPHERE  ? "sphere"
                        : flags & SURFACE_SHAPE ? "shape"
                                                : "primitive";
@@ -113,9 +113,16 @@ std::string dot_label(const HitReport& hit, const Scene& scene) {
 }
 
 std::string lobes_text(const BounceReport& b) {
-    if (b.dielectric) return fmt::format("dielectric, eta {:.6g}, alpha {:.4g}", b.eta, b.alpha);
-    return fmt::format("diffuse {}, f0 {}, alpha {:.4g}, glossy lobe chosen with {:.4g}",
-                       text(b.diffuse), text(b.f0), b.alpha, b.glossy);
+    std::string words =
+        b.probability[LOBE_DIELECTRIC] > 0
+            ? fmt::format("dielectric, eta {:.6g}, alpha {:.4g}", b.eta, b.alpha)
+            : fmt::format("diffuse {}, f0 {}, alpha {:.4g}", text(b.diffuse), text(b.f0), b.alpha);
+#define ONDE_WORDS(NAME, name, Type, transmits, kinds)                                             \
+    if (b.probability[LOBE_##NAME] > 0 && b.probability[LOBE_##NAME] < 1)                          \
+        words += fmt::format(", " #name " lobe chosen with {:.4g}", b.probability[LOBE_##NAME]);
+    LOBES(ONDE_WORDS)
+#undef ONDE_WORDS
+    return words;
 }
 
 std::string light_text(const BounceReport& b) {

@@ -6,6 +6,7 @@
 #include "session/choices.h"
 #include "session/machine.h"
 #include "session/session.h"
+#include "upload/common_features.h"
 
 #include <fmt/format.h>
 
@@ -13,37 +14,6 @@
 
 namespace onde::app {
 namespace {
-
-struct Kind {
-    const char* name;
-    SceneFeatures features;
-    bool large_tree = false; ///< beyond the cache, where rays are interleaved
-};
-
-/// A program is compiled for exactly a scene's features; these are sets that many scenes have.
-std::vector<Kind> common_kinds() {
-    const SceneFeatures spheres{.spheres = true, .dielectrics = true, .stack_size = 64};
-    SceneFeatures shapes = spheres;
-    shapes.instances = shapes.shapes = true; // a shape is an instance
-    const SceneFeatures textured{
-        .textures = true, .normal_maps = true, .environment = true, .stack_size = 64};
-    SceneFeatures textured_large = textured;
-    textured_large.stack_size = 96; // of some ten thousand triangles
-    const SceneFeatures everything{.instances = true,
-                                   .spheres = true,
-                                   .shapes = true,
-                                   .textures = true,
-                                   .normal_maps = true,
-                                   .dielectrics = true,
-                                   .environment = true,
-                                   .stack_size = 96};
-    return {{"spheres in a closed room", spheres},
-            {"shapes in a closed room", shapes},
-            {"textured glTF, small", textured},
-            {"textured glTF, large", textured_large},
-            {"textured glTF, huge", textured_large, true},
-            {"everything", everything}};
-}
 
 Scene one_rectangle() {
     Scene scene;
@@ -57,7 +27,7 @@ Scene one_rectangle() {
 void compile(const std::string& name, Machine& machine, Scene scene, SessionOptions options) {
     Session session(machine.programs, std::move(scene), std::move(options));
     const gpu::BuildReport& report = session.prepare();
-    fmt::print("{:<26} {} in {:.2f} s\n", name,
+    fmt::print("{:<32} {} in {:.2f} s\n", name,
                report.from_cache ? "was there, loaded" : "compiled", report.seconds);
     std::fflush(stdout); // the next may take long
 }
@@ -79,10 +49,10 @@ void prewarm(const std::vector<std::string>& scenes, const std::string& device) 
     }
     if (!scenes.empty()) return;
     const Scene scene = one_rectangle();
-    for (const Kind& kind : common_kinds()) {
+    for (const CommonFeatures& kind : common_features()) {
         SessionOptions options = default_options(machine, scene);
         options.features = kind.features;
-        if (kind.large_tree) options.render.settings.interleave_above = 0;
+        if (kind.beyond_cache) options.render.settings.interleave_above = 0;
         compile(kind.name, machine, scene, std::move(options));
     }
 }

@@ -48,9 +48,9 @@ LightTracingRecord make_light_tracing(const Scene& scene, const RenderOptions& o
 
 uint64_t count_hidden_emitters(const PackedScene& scene) {
     const auto hidden = [&](const SurfaceRecord& surface) {
-        return surface.light == LIGHT_UNLISTED &&
-               scene.materials[surface.material & SURFACE_MATERIAL_MASK].emission_texture ==
-                   NO_INDEX;
+        const MaterialRecord& material = scene.materials[SURFACE_MATERIAL(surface.any.tag)];
+        return surface.any.light == LIGHT_UNLISTED &&
+               material.texture[TEXTURE_EMISSION] == NO_INDEX;
     };
     return uint64_t(std::ranges::count_if(scene.surfaces, hidden));
 }

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "scene/phong.h"
 #include "upload/alias_table.h"
+#include "upload/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,20 +24,17 @@ std::vector<MaterialRecord> pack_materials(const Scene& scene) {
     for (const Material& material : scene.materials) {
         const Material m = path_material(material);
         MaterialRecord record{};
-        for (uint32_t k = 0; k < 3; k++) {
-            record.base_color[k] = m.base_color[k];
-            record.emission[k] = m.emission[k];
-        }
         record.kind = uint32_t(m.kind);
-        record.roughness = m.roughness;
-        record.metallic = m.metallic;
-        record.ior = m.ior;
-        record.normal_scale = m.normal_scale;
         record.two_sided = m.two_sided;
-        record.base_color_texture = texture_index(m.base_color_texture);
-        record.metallic_roughness_texture = texture_index(m.metallic_roughness_texture);
-        record.emission_texture = texture_index(m.emission_texture);
-        record.normal_texture = texture_index(m.normal_texture);
+#define ONDE_COLOR(name) copy(record.name, m.name);
+        MATERIAL_COLORS(ONDE_COLOR)
+#undef ONDE_COLOR
+#define ONDE_NUMBER(name) record.name = m.name;
+        MATERIAL_NUMBERS(ONDE_NUMBER)
+#undef ONDE_NUMBER
+#define ONDE_TEXTURE(NAME, name) record.texture[TEXTURE_##NAME] = texture_index(m.name##_texture);
+        TEXTURE_SLOTS(ONDE_TEXTURE)
+#undef ONDE_TEXTURE
         records.push_back(record);
     }
     return records;

@@ -1,7 +1,10 @@
 #include "upload/geometry.h"
 
+#include "upload/emissive.h"
 #include "upload/octahedral.h"
+#include "upload/words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -43,82 +46,112 @@ uint32_t encode_tangent(const glm::vec3 corner[3], const glm::vec2 uv[3], glm::v
     return (encode_octahedral(tangent) & ~1u) | uint32_t(against);
 }
 
+/// Any of the textures may be, or become, some material's normal map.
+bool needs_tangents(const Scene& scene) {
+    return !scene.textures.empty();
+}
+
 /// Writes the primitives of one mesh, placed by `transform`, to a geometry's arrays.
 class MeshWriter {
   public:
     MeshWriter(const Scene& scene, FlatGeometry& flat, std::vector<glm::vec3>& positions,
                std::vector<glm::uvec3>& triangles)
-        : scene_(scene), flat_(flat), positions_(positions), triangles_(triangles) {}
+        : scene_(scene), flat_(flat), positions_(positions), triangles_(triangles),
+          tangents_(needs_tangents(scene)) {}
 
     void add(const Mesh& mesh, const glm::mat4& transform) {
         const glm::mat3 linear(transform);
-        const glm::mat3 normal_matrix = glm::transpose(glm::inverse(linear));
-        const float orientation = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
-        const auto first = uint32_t(positions_.size());
+        normal_matrix_ = glm::transpose(glm::inverse(linear));
+        orientation_ = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
+        first_ = uint32_t(positions_.size());
+        first_vertex_ = uint32_t(flat_.vertices.size());
         for (glm::vec3 p : mesh.positions) positions_.push_back(point(transform, p));
+        if (has_vertices(mesh))
+            for (uint32_t i = 0; i < mesh.positions.size(); i++)
+                flat_.vertices.push_back(vertex(mesh, i, glm::vec3(0, 0, 1)));
         for (size_t i = 0; i < mesh.triangles.size(); i++) {
-            const glm::uvec3 corners = mesh.triangles[i];
-            triangles_.push_back(corners + first);
-            add_surface(mesh, i, normal_matrix, orientation, first);
+            triangles_.push_back(mesh.triangles[i] + first_);
+            add_surface(mesh, i);
         }
     }
 
   private:
-    void add_surface(const Mesh& mesh, size_t triangle, const glm::mat3& normal_matrix,
-                     float orientation, uint32_t first) {
+    static bool has_vertices(const Mesh& mesh) {
+        return !mesh.normals.empty() || !mesh.uvs.empty();
+    }
+
+    /// A vertex whose normal is `normal` where the mesh has no usable one.
+    VertexRecord vertex(const Mesh& mesh, uint32_t i, glm::vec3 normal) const {
+        VertexRecord record{};
+        if (!mesh.normals.empty()) normal = unit_or(normal_matrix_ * mesh.normals[i], normal);
+        record.normal = encode_octahedral(normal);
+        if (!mesh.uvs.empty()) copy(record.uv, mesh.uvs[i]);
+        return record;
+    }
+
+    /// The index of a corner's vertex: of its own where the mesh's has no usable normal.
+    uint32_t corner_vertex(const Mesh& mesh, uint32_t corner, glm::vec3 geometric) {
+        const VertexRecord own = vertex(mesh, corner, geometric);
+        if (mesh.normals.empty() || own.normal == flat_.vertices[first_vertex_ + corner].normal)
+            return first_vertex_ + corner;
+        flat_.vertices.push_back(own);
+        return uint32_t(flat_.vertices.size() - 1);
+    }
+
+    void add_surface(const Mesh& mesh, size_t triangle) {
         const glm::uvec3 corners = mesh.triangles[triangle];
         glm::vec3 p[3];
         glm::vec2 uv[3]{};
-        SurfaceRecord record{};
         for (uint32_t k = 0; k < 3; k++) {
-            p[k] = positions_[first + corners[k]];
+            p[k] = positions_[first_ + corners[k]];
             if (!mesh.uvs.empty()) uv[k] = mesh.uvs[corners[k]];
-            record.uv[2 * k] = uv[k].x;
-            record.uv[2 * k + 1] = uv[k].y;
         }
         const glm::vec3 geometric =
-            unit_or(glm::cross(p[1] - p[0], p[2] - p[0]) * orientation, glm::vec3(0, 0, 1));
-        bool flat = true;
-        for (uint32_t k = 0; k < 3; k++) {
-            glm::vec3 n = geometric;
-            if (!mesh.normals.empty())
-                n = unit_or(normal_matrix * mesh.normals[corners[k]], geometric);
-            record.normal[k] = encode_octahedral(n);
-            record.geometric[k] = geometric[k];
-            flat &= record.normal[k] == encode_octahedral(geometric);
-        }
+            unit_or(glm::cross(p[1] - p[0], p[2] - p[0]) * orientation_, glm::vec3(0, 0, 1));
         const uint32_t material = mesh.materials[triangle];
-        record.material = material | (flat ? SURFACE_FLAT : 0);
-        record.tangent = encode_tangent(p, uv, geometric);
-        record.light = NO_INDEX;
+        const auto primitive = uint32_t(flat_.surfaces.size());
+        TriangleSurface surface{};
+        surface.light = NO_INDEX;
+        copy(surface.geometric, geometric);
+        bool flat = true;
+        if (has_vertices(mesh)) {
+            const uint32_t normal = encode_octahedral(geometric);
+            for (uint32_t k = 0; k < 3; k++) {
+                surface.vertex[k] = corner_vertex(mesh, corners[k], geometric);
+                flat &= mesh.normals.empty() || flat_.vertices[surface.vertex[k]].normal == normal;
+            }
+        }
+        surface.tag = material | (flat ? SURFACE_FLAT : 0);
+        if (tangents_) {
+            flat_.tangents.resize(primitive);
+            flat_.tangents.push_back(encode_tangent(p, uv, geometric));
+        }
         if (emits(scene_.materials[material]))
-            flat_.emissive.push_back({uint32_t(flat_.surfaces.size()), material, LIGHT_TRIANGLE,
-                                      p[0], p[1] - p[0], p[2] - p[0], 0.0f, orientation});
-        flat_.surfaces.push_back(record);
+            flat_.emissive.push_back(emissive_triangle(primitive, material, p, orientation_));
+        flat_.surfaces.emplace_back().triangle = surface;
     }
 
     const Scene& scene_;
     FlatGeometry& flat_;
     std::vector<glm::vec3>& positions_;
     std::vector<glm::uvec3>& triangles_;
+    bool tangents_; ///< are written
+    // Of the mesh that is being added.
+    glm::mat3 normal_matrix_{1.0f};
+    float orientation_ = 1.0f;
+    uint32_t first_ = 0, first_vertex_ = 0;
 };
 
 void add_sphere(const Scene& scene, FlatGeometry& flat, const Sphere& sphere) {
-    SurfaceRecord record{};
-    for (uint32_t k = 0; k < 3; k++) record.geometric[k] = sphere.center[k];
-    record.uv[0] = sphere.radius;
-    record.material = sphere.material | SURFACE_SPHERE;
-    record.light = NO_INDEX;
+    const auto primitive = uint32_t(flat.surfaces.size());
+    SphereSurface surface{};
+    surface.tag = sphere.material | SURFACE_SPHERE;
+    surface.light = NO_INDEX;
+    copy(surface.center, sphere.center);
+    surface.radius = sphere.radius;
     if (emits(scene.materials[sphere.material]))
-        flat.emissive.push_back({uint32_t(flat.surfaces.size()),
-                                 sphere.material,
-                                 LIGHT_SPHERE,
-                                 sphere.center,
-                                 {},
-                                 {},
-                                 sphere.radius,
-                                 1.0f});
-    flat.surfaces.push_back(record);
+        flat.emissive.push_back(emissive_sphere(primitive, sphere));
+    flat.surfaces.emplace_back().sphere = surface;
     flat.spheres.push_back({sphere.center, sphere.radius});
 }
 
@@ -133,7 +166,8 @@ class ShapeWriter {
         const auto known = geometry_of_.find(key);
         const bool shared = !light && known != geometry_of_.end();
         const uint32_t geometry = shared ? known->second : add_geometry(shape);
-        if (light) add_emissive(shape);
+        if (light)
+            flat_.emissive.push_back(emissive_shape(uint32_t(flat_.surfaces.size() - 1), shape));
         if (!light && !shared) geometry_of_.emplace(key, geometry);
         flat_.placements.push_back({geometry, shape.object_to_world});
     }
@@ -145,26 +179,17 @@ class ShapeWriter {
         static_assert(uint32_t(ShapeKind::cylinder) == SHAPE_CYLINDER);
         static_assert(uint32_t(ShapeKind::cone) == SHAPE_CONE);
         static_assert(uint32_t(ShapeKind::torus) == SHAPE_TORUS);
-        SurfaceRecord record{};
-        record.tangent = uint32_t(shape.kind);
-        record.uv[0] = shape.minor_radius;
-        record.material = shape.material | SURFACE_SHAPE;
-        record.light = NO_INDEX;
+        ShapeSurface surface{};
+        surface.tag = shape.material | SURFACE_SHAPE;
+        surface.light = NO_INDEX;
+        surface.shape = uint32_t(shape.kind);
+        surface.minor_radius = shape.minor_radius;
         const ShapeInput& input =
             flat_.shapes.emplace_back(ShapeInput{uint32_t(shape.kind), shape.minor_radius});
         flat_.geometries.push_back(
             {{}, {}, {}, uint32_t(flat_.surfaces.size()), std::span(&input, 1)});
-        flat_.surfaces.push_back(record);
+        flat_.surfaces.emplace_back().shape = surface;
         return uint32_t(flat_.geometries.size() - 1);
-    }
-
-    /// A disk is a light to sample. Its front is toward +Y, where cross(Z, X) points.
-    void add_emissive(const Shape& shape) {
-        const glm::mat4& m = shape.object_to_world;
-        flat_.emissive.push_back({uint32_t(flat_.surfaces.size() - 1), shape.material,
-                                  shape.kind == ShapeKind::disk ? LIGHT_DISK : NO_INDEX,
-                                  glm::vec3(m[3]), glm::vec3(m[2]), glm::vec3(m[0]), 0.0f,
-                                  glm::determinant(glm::mat3(m)) < 0 ? -1.0f : 1.0f});
     }
 
     const Scene& scene_;
@@ -187,6 +212,7 @@ std::vector<bool> meshes_to_instance(const Scene& scene) {
 
 FlatGeometry flatten_geometry(const Scene& scene) {
     FlatGeometry flat;
+    flat.vertices.emplace_back();
     const std::vector<bool> instanced = meshes_to_instance(scene);
 
     auto& positions = flat.positions.emplace_back();
@@ -214,6 +240,7 @@ FlatGeometry flatten_geometry(const Scene& scene) {
             flat.placements.push_back({geometry_of[instance.mesh], instance.object_to_world});
     ShapeWriter shapes(scene, flat);
     for (const Shape& shape : scene.shapes) shapes.add(shape);
+    if (needs_tangents(scene)) flat.tangents.resize(flat.surfaces.size());
     return flat;
 }
 

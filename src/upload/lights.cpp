@@ -3,6 +3,7 @@
 #include "scene/load.h"
 #include "upload/alias_table.h"
 #include "upload/appearance.h"
+#include "upload/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,6 @@ double luminance(glm::vec3 c) {
     return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
 }
 
-void copy(float (&to)[3], glm::vec3 from) {
-    for (uint32_t k = 0; k < 3; k++) to[k] = from[k];
-}
-
 struct WeightedLights {
     std::vector<LightRecord> records;
     std::vector<double> power;
@@ -33,21 +30,23 @@ struct WeightedLights {
 };
 
 /// Mean luminance of a triangle's emission texture, from its nearest texels at a grid of points.
-double mean_texture(const Scene& scene, int32_t index, const SurfaceRecord& surface) {
+double mean_texture(const Scene& scene, int32_t index, const FlatGeometry& flat,
+                    const TriangleSurface& surface) {
     constexpr int STEPS = 12;
     static const std::vector<float> linear = srgb_table();
     const ByteImage& image = scene.textures[size_t(index)].image;
     const auto texel = [&](float t, uint32_t size) {
         return std::min(uint32_t((t - std::floor(t)) * float(size)), size - 1);
     };
+    const float* uv[3];
+    for (int k = 0; k < 3; k++) uv[k] = flat.vertices[surface.vertex[k]].uv;
     double sum = 0;
     int count = 0;
     for (int i = 0; i < STEPS; i++)
         for (int j = 0; i + j < STEPS; j++, count++) {
             const float b1 = (float(i) + 0.33f) / STEPS, b2 = (float(j) + 0.33f) / STEPS;
-            const float* uv = surface.uv;
-            const float u = uv[0] * (1 - b1 - b2) + uv[2] * b1 + uv[4] * b2;
-            const float v = uv[1] * (1 - b1 - b2) + uv[3] * b1 + uv[5] * b2;
+            const float u = uv[0][0] * (1 - b1 - b2) + uv[1][0] * b1 + uv[2][0] * b2;
+            const float v = uv[0][1] * (1 - b1 - b2) + uv[1][1] * b1 + uv[2][1] * b2;
             const size_t at = size_t(texel(v, image.height)) * image.width + texel(u, image.width);
             const uint8_t* rgba = &image.rgba[4 * at];
             sum += luminance({linear[rgba[0]], linear[rgba[1]], linear[rgba[2]]});
@@ -59,32 +58,20 @@ double mean_texture(const Scene& scene, int32_t index, const SurfaceRecord& surf
 double mean_emission(const Scene& scene, const FlatGeometry& flat, const EmissivePrimitive& e) {
     const Material& material = scene.materials[e.material];
     const double factor = luminance(material.emission);
-    if (e.kind != LIGHT_TRIANGLE || material.emission_texture == NO_TEXTURE) return factor;
-    return factor * mean_texture(scene, material.emission_texture, flat.surfaces[e.primitive]);
+    const bool triangle = e.light && e.light->kind == LIGHT_TRIANGLE;
+    if (!triangle || material.emission_texture == NO_TEXTURE) return factor;
+    const TriangleSurface& surface = flat.surfaces[e.primitive].triangle;
+    return factor * mean_texture(scene, material.emission_texture, flat, surface);
 }
 
 void add_primitive(const Scene& scene, FlatGeometry& flat, const EmissivePrimitive& e,
                    WeightedLights& lights) {
-    const Material& material = scene.materials[e.material];
     const double emission = mean_emission(scene, flat, e);
-    flat.surfaces[e.primitive].light =
-        emission > 0 && e.kind != NO_INDEX ? uint32_t(lights.records.size()) : LIGHT_UNLISTED;
-    if (flat.surfaces[e.primitive].light == LIGHT_UNLISTED) return;
-    LightRecord record{};
-    record.kind = e.kind;
-    copy(record.position, e.position);
-    copy(record.edge1, e.edge1);
-    copy(record.edge2, e.edge2);
-    record.material = e.material;
-    record.surface = e.primitive;
-    record.orientation = e.orientation;
-    const bool sphere = e.kind == LIGHT_SPHERE;
-    const double parallelogram = glm::length(glm::cross(e.edge1, e.edge2));
-    const double flat_area = (e.kind == LIGHT_DISK ? PI : 0.5) * parallelogram;
-    const double area = sphere ? 4 * PI * double(e.radius) * e.radius : flat_area;
-    record.area = sphere ? e.radius : float(area);
-    const double faces = !sphere && material.two_sided ? 2 : 1;
-    lights.add(record, PI * area * faces * emission);
+    uint32_t& listed = flat.surfaces[e.primitive].any.light;
+    listed = emission > 0 && e.light ? uint32_t(lights.records.size()) : LIGHT_UNLISTED;
+    if (listed == LIGHT_UNLISTED) return;
+    const bool both = e.light->kind != LIGHT_SPHERE && scene.materials[e.material].two_sided;
+    lights.add(*e.light, PI * e.area * (both ? 2 : 1) * emission);
 }
 
 /// The environment's mean radiance, by luminance, weighted by solid angle.
@@ -112,6 +99,22 @@ void limit_to_others(WeightedLights& lights, size_t first) {
         for (auto power = middle; power != lights.power.end(); ++power) *power *= others / own;
 }
 
+void add_point(const PointLight& light, WeightedLights& lights) {
+    LightRecord record{};
+    record.kind = LIGHT_POINT;
+    copy(record.as.point.position, light.position);
+    copy(record.as.point.intensity, light.intensity);
+    lights.add(record, 4 * PI * luminance(light.intensity));
+}
+
+void add_directional(const DirectionalLight& light, double scene_radius, WeightedLights& lights) {
+    LightRecord record{};
+    record.kind = LIGHT_DIRECTIONAL;
+    copy(record.as.directional.to_light, light.to_light);
+    copy(record.as.directional.irradiance, light.irradiance);
+    lights.add(record, PI * scene_radius * scene_radius * luminance(light.irradiance));
+}
+
 void add_environment(const Scene& scene, double scene_radius, WeightedLights& lights) {
     const double mean = mean_radiance(scene.environment);
     if (!(mean > 0)) return;
@@ -129,21 +132,10 @@ LightList build_lights(const Scene& scene, FlatGeometry& flat) {
     const double radius = std::max(0.5 * double(glm::length(bounds.high - bounds.low)), 1e-6);
     WeightedLights lights;
     for (const EmissivePrimitive& e : flat.emissive) add_primitive(scene, flat, e, lights);
-    for (const PointLight& light : scene.point_lights) {
-        LightRecord record{};
-        record.kind = LIGHT_POINT;
-        copy(record.position, light.position);
-        copy(record.radiance, light.intensity);
-        lights.add(record, 4 * PI * luminance(light.intensity));
-    }
+    for (const PointLight& light : scene.point_lights) add_point(light, lights);
     const size_t local = lights.records.size();
-    for (const DirectionalLight& light : scene.directional_lights) {
-        LightRecord record{};
-        record.kind = LIGHT_DIRECTIONAL;
-        copy(record.position, light.to_light);
-        copy(record.radiance, light.irradiance);
-        lights.add(record, PI * radius * radius * luminance(light.irradiance));
-    }
+    for (const DirectionalLight& light : scene.directional_lights)
+        add_directional(light, radius, lights);
     limit_to_others(lights, local);
     const size_t finite = lights.records.size();
     add_environment(scene, radius, lights);

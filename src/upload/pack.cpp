@@ -16,10 +16,21 @@ std::vector<std::string> SceneFeatures::defines() const {
             fmt::format("ONDE_SHAPES={:d}", shapes),
             fmt::format("ONDE_TEXTURES={:d}", textures),
             fmt::format("ONDE_NORMAL_MAPS={:d}", normal_maps),
-            fmt::format("ONDE_DIELECTRICS={:d}", dielectrics),
+            fmt::format("ONDE_LOBES={}", lobes),
+            fmt::format("ONDE_LIGHTS={}", lights),
             fmt::format("ONDE_ENVIRONMENT={:d}", environment),
             fmt::format("ONDE_WATERTIGHT={:d}", watertight),
             fmt::format("ONDE_STACK_SIZE={}", stack_size)};
+}
+
+/// Bits by lobe.
+static uint32_t lobes_of(MaterialKind kind) {
+    uint32_t lobes = 0;
+#define ONDE_LOBE(NAME, name, Type, transmits, kinds)                                              \
+    if ((kinds) >> uint32_t(kind) & 1) lobes |= 1u << LOBE_##NAME;
+    LOBES(ONDE_LOBE)
+#undef ONDE_LOBE
+    return lobes;
 }
 
 static SceneFeatures find_features(const Scene& scene, const PackedScene& packed) {
@@ -32,8 +43,9 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.textures = !scene.textures.empty();
     for (const Material& material : scene.materials) {
         features.normal_maps |= material.normal_texture != NO_TEXTURE;
-        features.dielectrics |= path_material(material).kind == MaterialKind::dielectric;
+        features.lobes |= lobes_of(path_material(material).kind);
     }
+    for (const LightRecord& light : packed.lights) features.lights |= 1u << light.kind;
     features.environment = packed.environment_light != NO_INDEX;
     // Rounded up, so that scenes of similar depth share a compiled program.
     const uint32_t step = features.layout == BvhLayout::wide ? 32 : 16; // GPUs have little room
@@ -64,6 +76,8 @@ static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry 
     packed.lights = std::move(lights.records);
     packed.environment_light = lights.environment;
     packed.surfaces = std::move(flat.surfaces);
+    packed.vertices = std::move(flat.vertices);
+    packed.tangents = std::move(flat.tangents);
 }
 
 PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {

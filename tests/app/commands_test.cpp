@@ -254,15 +254,21 @@ TEST_CASE("PoCL compiles each kernel once, and a binary of it is kept") {
     }
 }
 
-TEST_CASE("cache prewarm without a scene serves the scene that the README renders") {
+TEST_CASE(
+    "cache prewarm without a scene serves rooms, analytic shapes and trees beyond the cache") {
     const Folder folder;
     const Environment own{{"ONDE_CACHE_DIR", (folder / "cache").string()}};
     const std::string prewarmed = output_of(folder, {"cache", "prewarm"}, own);
-    CHECK_THAT(prewarmed, Catch::Contains("spheres in a closed room   compiled in "));
+    CHECK_THAT(prewarmed, Catch::Contains("a closed room with spheres       compiled in "));
+    CHECK_THAT(prewarmed, Catch::Contains("textured glTF, beyond the cache  compiled in "));
     CHECK(std::count(prewarmed.begin(), prewarmed.end(), '\n') == 6);
-    const Outcome outcome =
-        onde::test::onde(folder, {"render", CORNELL, "--size", "16x12", "--spp", "1"}, own);
-    CHECK_THAT(outcome.err, Catch::Contains("kernels loaded in "));
+    const std::string shapes = std::string(ONDE_SOURCE_DIR) + "/scenes/shapes.toml";
+    for (const std::string& scene : {std::string(CORNELL), shapes}) {
+        INFO(scene);
+        const Outcome outcome =
+            onde::test::onde(folder, {"render", scene, "--size", "16x12", "--spp", "1"}, own);
+        CHECK_THAT(outcome.err, Catch::Contains("kernels loaded in "));
+    }
 }
 
 TEST_CASE("compare measures pictures, equal or not, and ends with code 0 for both") {

@@ -261,6 +261,38 @@ TEST_CASE("the choice of the light is part of every density") {
           }) == "");
 }
 
+TEST_CASE("a scene may have every type of light, and each is sampled with its probability") {
+    Scene scene = triangle_scene(true);
+    scene.materials.push_back(emitter(5, true));
+    scene.spheres.push_back({{-3, 1, 0}, 0.5f, 1});
+    Shape disk;
+    disk.kind = ShapeKind::disk;
+    disk.material = 1;
+    disk.object_to_world[3] = glm::vec4(2, -3, 1, 1);
+    scene.shapes.push_back(disk);
+    scene.point_lights.push_back({{0, -4, 3}, {10, 20, 30}});
+    scene.directional_lights.push_back({{0, 0.8f, 0.6f}, {1, 2, 3}});
+    scene.environment.radiance = glm::vec3(0.5f);
+    SceneProbe probe(scene, {"light_sample"});
+    REQUIRE(probe.packed().features.lights == ALL_LIGHTS);
+
+    // The choice says which light: its share of [0, 1) is one column of the alias table.
+    const std::vector<LightRecord>& lights = probe.packed().lights;
+    REQUIRE(lights.size() == LIGHT_TYPE_COUNT);
+    const LightSamples samples = sample(probe, {0, 0, 0});
+    std::vector<double> deltas(2);
+    for (size_t i = 0; i < COUNT; i++) {
+        REQUIRE(samples.pdf[i] > 0);
+        if (samples.delta[i] != 0)
+            deltas[samples.distance[i] > 1e20f]++;
+        else
+            REQUIRE(samples.valid[i] == 1);
+    }
+    const double share[] = {lights[LIGHT_POINT].pmf, lights[LIGHT_DIRECTIONAL].pmf};
+    for (size_t k = 0; k < 2; k++)
+        CHECK(deltas[k] / COUNT == Approx(share[k]).margin(5 * 0.5 / std::sqrt(COUNT)));
+}
+
 TEST_CASE("point lights fall off with the square of the distance, directional ones do not") {
     Scene scene = scene_with_a_speck();
     scene.point_lights.push_back({{0, 4, 3}, {10, 20, 30}});

@@ -123,7 +123,7 @@ TEST_CASE("lights that rays can't start at are reported, never silently dark") {
     };
     CHECK(std::ranges::none_of(findings_of(packed), about_glow));
     for (SurfaceRecord& surface : packed.surfaces)
-        if (surface.light != NO_INDEX) surface.light = LIGHT_UNLISTED;
+        if (surface.any.light != NO_INDEX) surface.any.light = LIGHT_UNLISTED;
     CHECK(std::ranges::any_of(findings_of(packed), about_glow));
 }
 

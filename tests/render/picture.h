@@ -41,8 +41,9 @@ inline SceneFeatures all_features() {
             .shapes = true,
             .textures = true,
             .normal_maps = true,
-            .dielectrics = true,
             .environment = true,
+            .lobes = ALL_LOBES,
+            .lights = ALL_LIGHTS,
             .stack_size = 192};
 }
 

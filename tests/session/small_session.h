@@ -71,8 +71,9 @@ inline SessionOptions small_session(IntegratorKind integrator = IntegratorKind::
                                      .shapes = true,
                                      .textures = true,
                                      .normal_maps = true,
-                                     .dielectrics = true,
                                      .environment = true,
+                                     .lobes = ALL_LOBES,
+                                     .lights = ALL_LIGHTS,
                                      .stack_size = 192};
     return options;
 }

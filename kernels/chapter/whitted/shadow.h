@@ -17,7 +17,7 @@ OUTLINED float ray_transmittance(SceneView view, __global const PhongRecord* pho
     for (;;) {
         const Hit hit = bvh_closest(view.bvh, origin, passed, direction, distance);
         if (hit.primitive == BVH_NONE) return transmittance;
-        const uint material = view.surfaces[hit.primitive].material & SURFACE_MATERIAL_MASK;
+        const uint material = SURFACE_MATERIAL(view.surfaces[hit.primitive].any.tag);
         transmittance *= phong[material].transmission;
         if (!(transmittance > 0.0f)) return 0.0f;
         passed = hit.t + ORIGIN_OFFSET * max_fast(largest, hit.t);

@@ -1,11 +1,28 @@
 // Glass: reflection and refraction at a GGX-rough or smooth boundary (Walter et al. 2007).
-// Local directions; wo is above. eta is the index below over the index above. Radiance is
-// scaled by 1 / eta^2 where it is refracted.
+// Radiance is scaled by 1 / eta^2 where it is refracted.
 #ifndef ONDE_SHADE_LOBES_DIELECTRIC_H
 #define ONDE_SHADE_LOBES_DIELECTRIC_H
 
-#include "shade/fresnel.h"
-#include "shade/lobes/glossy.h"
+#include "shade/lobes/lobe.h"
+#include "shade/microfacet.h"
+
+typedef struct {
+    real3 tint; // of what goes through
+    real alpha;
+    real eta; // index below over index above
+} DielectricLobe;
+
+INLINE DielectricLobe dielectric_load(SceneView view, MaterialPoint m) {
+    DielectricLobe lobe;
+    lobe.tint = m.color;
+    lobe.alpha = m.alpha;
+    const real ior = RECORD(view.materials, m.material, MaterialRecord, ior);
+    lobe.eta = choose(m.front, ior, 1.0f / ior);
+    return lobe;
+}
+INLINE real dielectric_weight(DielectricLobe lobe, real cosine) {
+    return (real)(1.0f);
+}
 
 // Refracts wo about h (dot(wo, h) >= 0); meaningless under total internal reflection.
 INLINE real3 refract_about(real3 wo, real3 h, real eta) {
@@ -16,51 +33,65 @@ INLINE real3 refract_about(real3 wo, real3 h, real eta) {
     return madd3(h, fma(cosine, inverse, -refracted), scale3(wo, -inverse));
 }
 
+// A rough boundary between wo and wi.
 typedef struct {
-    real reflected;   // BSDF times cosine for wi above; 0 elsewhere
-    real transmitted; // the same for wi below, without tint
-    real pdf;
-} DielectricValue;
+    real3 h;
+    real out, in; // cosines with h
+    real fresnel;
+    real jacobian; // of refraction, from solid angles of wi to those of h
+    mask below;    // wi is
+    mask possible;
+} Boundary;
 
-INLINE DielectricValue dielectric_eval(real3 wo, real3 wi, real alpha, real eta) {
-    const mask below = wi.z < 0.0f;
-    const real relative = choose(below, eta, (real)(1.0f));
-    real3 h = normalize3(madd3(wi, relative, wo));
-    h = choose(h.z < 0.0f, negate3(h), h);
-    const real out = dot3(wo, h), in = dot3(wi, h);
-    const real fresnel = fresnel_dielectric(max_real(out, (real)(0.0f)), eta);
-    const real visible = pdf_visible_normal(wo, h, alpha);
-    const real body = ggx_distribution(h, alpha) * ggx_masking_shadowing(wo, wi, alpha) / wo.z;
-    const real spread = in + out / eta; // Walter's denominator, in units of the transmitted index
-    const real jacobian = fabs(in) / (spread * spread);
-    const mask possible = (out > 0.0f) & (choose(below, -in, in) > 0.0f) & (wi.z != 0.0f);
-    const real zero = (real)(0.0f);
-    DielectricValue value;
-    value.reflected = choose(possible & !below, fresnel * body * 0.25f, zero);
-    value.transmitted =
-        choose(possible & below, (1.0f - fresnel) * body * out * jacobian / (eta * eta), zero);
-    value.pdf = choose(below, (1.0f - fresnel) * visible * jacobian,
-                       fresnel * visible / (4.0f * max_real(out, (real)(1e-9f))));
-    value.pdf = choose(possible, value.pdf, zero);
-    return value;
+INLINE Boundary boundary_between(DielectricLobe lobe, real3 wo, real3 wi) {
+    Boundary b;
+    b.below = wi.z < 0.0f;
+    b.h = normalize3(madd3(wi, choose(b.below, lobe.eta, (real)(1.0f)), wo));
+    b.h = choose(b.h.z < 0.0f, negate3(b.h), b.h);
+    b.out = dot3(wo, b.h);
+    b.in = dot3(wi, b.h);
+    b.fresnel = fresnel_dielectric(max_real(b.out, (real)(0.0f)), lobe.eta);
+    // Walter's denominator, in units of the transmitted index.
+    const real spread = b.in + b.out / lobe.eta;
+    b.jacobian = fabs(b.in) / (spread * spread);
+    b.possible = (b.out > 0.0f) & (choose(b.below, -b.in, b.in) > 0.0f) & (wi.z != 0.0f) &
+                 (lobe.alpha >= SMOOTH_ALPHA);
+    return b;
 }
 
-typedef struct {
-    real3 wi;
-    real fresnel;
-    mask transmitted;
-} DielectricSample;
+INLINE LobeValue dielectric_eval(DielectricLobe lobe, real3 wo, real3 wi) {
+    const Boundary b = boundary_between(lobe, wo, wi);
+    const real body =
+        ggx_distribution(b.h, lobe.alpha) * ggx_masking_shadowing(wo, wi, lobe.alpha) / wo.z;
+    const real refracted = (1.0f - b.fresnel) * body * b.out * b.jacobian;
+    const real3 tint = choose(b.below, lobe.tint, splat3((real)(1.0f)));
+    LobeValue v;
+    v.tint = choose(b.possible, tint, zero3());
+    v.value = splat3(choose(b.below, refracted / (lobe.eta * lobe.eta), b.fresnel * body * 0.25f));
+    v.value = choose(b.possible, v.value, zero3());
+    return v;
+}
+INLINE real dielectric_pdf(DielectricLobe lobe, real3 wo, real3 wi) {
+    const Boundary b = boundary_between(lobe, wo, wi);
+    const real visible = pdf_visible_normal(wo, b.h, lobe.alpha);
+    const real reflected = b.fresnel * visible / (4.0f * max_real(b.out, (real)(1e-9f)));
+    const real pdf = choose(b.below, (1.0f - b.fresnel) * visible * b.jacobian, reflected);
+    return choose(b.possible, pdf, (real)(0.0f));
+}
 
 // Reflects with the Fresnel probability, else refracts, about a visible normal (the macroscopic
 // one when alpha is smooth).
-INLINE DielectricSample dielectric_sample(real3 wo, real alpha, real eta, real choice, real2 u) {
-    const mask smooth = alpha < SMOOTH_ALPHA;
-    real3 h = sample_visible_normal(wo, max_real(alpha, (real)(SMOOTH_ALPHA)), u);
-    h = choose(smooth, make3((real)(0.0f), (real)(0.0f), (real)(1.0f)), h);
-    DielectricSample s;
-    s.fresnel = fresnel_dielectric(max_real(dot3(wo, h), (real)(0.0f)), eta);
-    s.transmitted = choice >= s.fresnel;
-    s.wi = choose(s.transmitted, refract_about(wo, h, eta), reflect_about(wo, h));
+INLINE LobeSample dielectric_sample(DielectricLobe lobe, real3 wo, real choice, real2 u) {
+    LobeSample s;
+    s.delta = lobe.alpha < SMOOTH_ALPHA;
+    real3 h = sample_visible_normal(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), u);
+    h = choose(s.delta, make3((real)(0.0f), (real)(0.0f), (real)(1.0f)), h);
+    const real fresnel = fresnel_dielectric(max_real(dot3(wo, h), (real)(0.0f)), lobe.eta);
+    const mask refracted = choice >= fresnel;
+    s.wi = choose(refracted, refract_about(wo, h, lobe.eta), reflect_about(wo, h));
+    const real3 tint = scale3(lobe.tint, 1.0f / (lobe.eta * lobe.eta));
+    s.weight = choose(refracted, tint, splat3((real)(1.0f)));
+    s.valid = choose(refracted, -s.wi.z, s.wi.z) > 0.0f;
     return s;
 }
 

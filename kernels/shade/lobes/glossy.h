@@ -1,23 +1,67 @@
-// Reflection by GGX microfacets (conductors, the specular part of glTF's mix). The Fresnel factor
-// is the caller's. Local directions, both above the surface.
+// Reflection by GGX microfacets: conductors, the specular part of glTF's mix (glTF 2.0, appendix
+// B). A mirror where it is smooth.
 #ifndef ONDE_SHADE_LOBES_GLOSSY_H
 #define ONDE_SHADE_LOBES_GLOSSY_H
 
+#include "shade/lobes/lobe.h"
 #include "shade/microfacet.h"
 
-INLINE real3 reflect_about(real3 wo, real3 h) {
-    return madd3(h, 2.0f * dot3(wo, h), negate3(wo));
+// Reflectance at normal incidence of the dielectric half of glTF's mix (index 1.5).
+#define DIELECTRIC_F0 0.04f
+
+typedef struct {
+    real3 f0; // reflectance at normal incidence
+    real f90; // and at grazing
+    real alpha;
+} GlossyLobe;
+
+INLINE GlossyLobe glossy_load(SceneView view, MaterialPoint m) {
+    const real metallic = choose(m.kind == MATERIAL_CONDUCTOR, (real)(1.0f), m.metallic);
+    GlossyLobe lobe;
+    lobe.f0 = mix3(splat3((real)(DIELECTRIC_F0)), m.color, metallic);
+    lobe.f90 = (real)(1.0f);
+    lobe.alpha = m.alpha;
+    return lobe;
+}
+INLINE real3 glossy_fresnel(GlossyLobe lobe, real cosine) {
+    return fresnel_schlick(lobe.f0, lobe.f90, cosine);
+}
+// Not 0 for black metals, which reflect at grazing angles.
+INLINE real glossy_weight(GlossyLobe lobe, real cosine) {
+    return max_real(luminance3(glossy_fresnel(lobe, cosine)), (real)(1e-9f));
 }
 
-INLINE real3 glossy_sample(real3 wo, real alpha, real2 u) {
-    return reflect_about(wo, sample_visible_normal(wo, alpha, u));
+// Fresnel's factor, and D G / (4 cos_o cos_i) times cos_i.
+INLINE LobeValue glossy_eval(GlossyLobe lobe, real3 wo, real3 wi) {
+    const mask seen = (lobe.alpha >= SMOOTH_ALPHA) & (wi.z > 0.0f);
+    LobeValue v = no_lobe_value();
+    if_any (seen) {
+        const real3 h = half_vector(wo, wi);
+        const real body =
+            ggx_distribution(h, lobe.alpha) * ggx_masking_shadowing(wo, wi, lobe.alpha);
+        v.tint = choose(seen, glossy_fresnel(lobe, dot3(wo, h)), v.tint);
+        v.value = choose(seen, splat3(body / (4.0f * wo.z)), v.value);
+    }
+    return v;
 }
-INLINE real glossy_pdf(real3 wo, real3 h, real alpha) {
-    return ggx_masking(wo, alpha) * ggx_distribution(h, alpha) / (4.0f * wo.z);
+INLINE real glossy_pdf(GlossyLobe lobe, real3 wo, real3 wi) {
+    const mask seen = (lobe.alpha >= SMOOTH_ALPHA) & (wi.z > 0.0f);
+    real pdf = (real)(0.0f);
+    if_any (seen) {
+        const real body =
+            ggx_masking(wo, lobe.alpha) * ggx_distribution(half_vector(wo, wi), lobe.alpha);
+        pdf = choose(seen, body / (4.0f * wo.z), pdf);
+    }
+    return pdf;
 }
-// D G / (4 cos_o cos_i) times cos_i.
-INLINE real glossy_eval(real3 wo, real3 wi, real3 h, real alpha) {
-    return ggx_distribution(h, alpha) * ggx_masking_shadowing(wo, wi, alpha) / (4.0f * wo.z);
+INLINE LobeSample glossy_sample(GlossyLobe lobe, real3 wo, real choice, real2 u) {
+    const real3 h = sample_visible_normal(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), u);
+    LobeSample s;
+    s.delta = lobe.alpha < SMOOTH_ALPHA;
+    s.wi = choose(s.delta, make3(-wo.x, -wo.y, wo.z), reflect_about(wo, h));
+    s.weight = glossy_fresnel(lobe, wo.z);
+    s.valid = s.wi.z > 0.0f;
+    return s;
 }
 
 #endif

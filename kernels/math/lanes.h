@@ -46,7 +46,7 @@
 #endif
 
 // The position of the lowest set bit. (OpenCL's own ctz came with version 2.)
-#if defined(__has_builtin)
+#if defined(__has_builtin) && ONDE_CPU
     #if __has_builtin(__builtin_ctz)
         #define lowest_bit(bits) ((uint)__builtin_ctz(bits))
     #endif

@@ -36,7 +36,7 @@ INLINE natural reverse_bits(natural x) {
     x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
     x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
     x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
-    return (x >> 16) | (x << 16);
+    return rotate(x, (natural)(16u));
 }
 
 // Each bit is flipped by a hash of the bits below it: Owen scrambling of a reversed number.

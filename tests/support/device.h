@@ -5,10 +5,10 @@
 
 namespace onde::test {
 
-/// Opened at the first call.
+/// Opened at the first call, and never closed: at exit some drivers are gone before our statics.
 inline const gpu::Device& device() {
-    static const gpu::Device opened = gpu::open_device();
-    return opened;
+    static const gpu::Device* opened = new gpu::Device(gpu::open_device());
+    return *opened;
 }
 
 } // namespace onde::test

@@ -12,10 +12,10 @@ inline gpu::KernelSources kernel_sources() {
     return gpu::KernelSources::folder(std::filesystem::path(ONDE_SOURCE_DIR) / "kernels");
 }
 
-/// Kept on disk between runs.
+/// Kept on disk between runs, and in memory for ever, as the device.
 inline gpu::Programs& programs() {
-    static gpu::Programs all(device(), kernel_sources(), test_cache());
-    return all;
+    static auto* all = new gpu::Programs(device(), kernel_sources(), test_cache());
+    return *all;
 }
 
 } // namespace onde::test

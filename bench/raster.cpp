@@ -47,7 +47,7 @@ Scene random_soup(const Options& options) {
     }
     scene.meshes.push_back(std::move(mesh));
     scene.instances.emplace_back();
-    scene.whitted.background = glm::vec3(0);
+    scene.chapter.whitted.background = glm::vec3(0);
     return scene;
 }
 

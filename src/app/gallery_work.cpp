@@ -56,7 +56,7 @@ GalleryWork load_work(const fs::path& file, std::optional<uint32_t> samples,
     entry.name = file.stem().string();
     entry.picture = entry.name + ".png";
     entry.command = fmt::format("./run render {}", shown_path(file).string());
-    entry.lesson = work.scene.lesson.value_or(Lesson{});
+    entry.lesson = work.scene.chapter.lesson.value_or(Lesson{});
     if (entry.lesson.title.empty()) entry.lesson.title = entry.name;
     try {
         check_places(entry.lesson, work.options.width, work.options.height);

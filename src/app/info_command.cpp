@@ -1,9 +1,11 @@
 #include "app/info_command.h"
 
+#include "app/field_json.h"
 #include "app/json.h"
 #include "core/command_line.h"
 #include "gpu/device.h"
 #include "render/memory_plan.h"
+#include "scene/field_text.h"
 #include "scene/load.h"
 #include "session/choices.h"
 #include "session/integrators.h"
@@ -56,7 +58,7 @@ uint64_t host_bytes(const Scene& scene, uint64_t texture_bytes) {
     uint64_t bytes = texture_bytes + bytes_of(scene.materials) + bytes_of(scene.instances) +
                      bytes_of(scene.spheres) + bytes_of(scene.shapes) +
                      bytes_of(scene.point_lights) + bytes_of(scene.directional_lights) +
-                     bytes_of(scene.area_lights);
+                     bytes_of(scene.chapter.area_lights);
     for (const Mesh& mesh : scene.meshes) bytes += bytes_of(mesh);
     if (scene.environment.map) bytes += bytes_of(scene.environment.map->pixels);
     return bytes;
@@ -74,10 +76,9 @@ std::string environment_text(const Environment& environment) {
 }
 
 void print_settings(const RenderSettings& settings) {
-    if (settings.width && settings.height)
-        fmt::print("film          {} x {}\n", *settings.width, *settings.height);
-    if (settings.samples) fmt::print("samples       {}\n", *settings.samples);
-    if (settings.depth) fmt::print("depth         {}\n", *settings.depth);
+    for_each_field(settings, [](const auto& field, const auto& value) {
+        if (value) fmt::print("{:<13} {}\n", name_of(field), value_text(*value));
+    });
 }
 
 /// The device that a render takes by default; a CPU of no name where there is none.
@@ -142,7 +143,7 @@ void print_text(const Scene& scene, const SceneSummary& summary, const DeviceMem
     fmt::print("textures      {}, {}\n", scene.textures.size(), size_text(summary.texture_bytes));
     fmt::print("lights        {} point, {} directional; area {}\n", scene.point_lights.size(),
                scene.directional_lights.size(),
-               counts_text(scene.area_lights.size(), summary.area_lights));
+               counts_text(scene.chapter.area_lights.size(), summary.area_lights));
     fmt::print("environment   {}\n", environment_text(scene.environment));
     for (size_t i = 0; i < scene.cameras.size(); ++i)
         fmt::print("camera {}      '{}', {:.4g} degrees\n", i, scene.cameras[i].name,
@@ -167,9 +168,7 @@ Json json_counts(const CountsByWord& counts) {
 
 Json json_cameras(const std::vector<Camera>& cameras) {
     Json list = Json::array();
-    for (const Camera& camera : cameras)
-        list.push_back(
-            {{"name", camera.name}, {"vertical_fov_degrees", glm::degrees(camera.vertical_fov)}});
+    for (const Camera& camera : cameras) list.push_back(json_fields(camera));
     return list;
 }
 
@@ -207,6 +206,7 @@ void print_json(const Scene& scene, const SceneSummary& summary, const DeviceMem
                                 {"environment_radiance", json_vector(scene.environment.radiance)},
                                 {"environment_map", scene.environment.map.has_value()},
                                 {"cameras", json_cameras(scene.cameras)},
+                                {"settings", json_fields(scene.settings)},
                                 {"bounds",
                                  Json::array({json_vector(bounds.low), json_vector(bounds.high)})},
                                 {"host_bytes", summary.host_bytes},
@@ -228,7 +228,7 @@ SceneSummary summarize(const Scene& scene) {
     }
     summary.shapes = count_kinds(scene.shapes);
     summary.materials = count_kinds(scene.materials);
-    summary.area_lights = count_kinds(scene.area_lights);
+    summary.area_lights = count_kinds(scene.chapter.area_lights);
     for (const Texture& texture : scene.textures)
         summary.texture_bytes += bytes_of(texture.image.rgba);
     summary.host_bytes = host_bytes(scene, summary.texture_bytes);

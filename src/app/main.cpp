@@ -5,6 +5,7 @@
 #include "app/gallery_command.h"
 #include "app/info_command.h"
 #include "app/inspect_command.h"
+#include "app/reference_command.h"
 #include "app/render_command.h"
 #include "app/volumes_command.h"
 
@@ -36,6 +37,7 @@ int main(int argc, char** argv) try {
     bool interrupted = false;
     onde::app::add_render_command(root, interrupted);
     onde::app::add_info_command(root);
+    onde::app::add_reference_command(root);
     onde::app::add_inspect_command(root);
     onde::app::add_volumes_command(root);
     onde::app::add_gallery_command(root, interrupted);

@@ -60,7 +60,7 @@ glm::dmat4 screen_transform(const Camera& camera, const RenderOptions& options) 
 
 glm::vec3 raster_background(const Scene& scene, const Camera& camera) {
     const Environment& environment = scene.environment;
-    if (scene.whitted.background) return *scene.whitted.background;
+    if (scene.chapter.whitted.background) return *scene.chapter.whitted.background;
     if (!environment.map || environment.map->pixels.empty()) return environment.radiance;
     const glm::dvec3 d(glm::normalize(forward_of(camera)));
     constexpr double PI = std::numbers::pi;

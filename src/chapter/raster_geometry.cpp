@@ -4,6 +4,7 @@
 #include "chapter/raster_shapes.h"
 #include "core/error.h"
 #include "scene/load.h"
+#include "scene/phong.h"
 #include "shared/scene.h"
 
 #include <algorithm>
@@ -107,12 +108,13 @@ class RasterPacker {
     uint64_t primitives_ = 0;
 };
 
-RasterMaterial pack_material(const Material& material) {
+RasterMaterial pack_material(const Scene& scene, uint32_t index) {
+    const Material& material = scene.materials[index];
     RasterMaterial record{};
     for (int k = 0; k < 3; k++) record.color[k] = material.base_color[k];
     record.texture =
         material.base_color_texture < 0 ? NO_INDEX : uint32_t(material.base_color_texture);
-    record.alpha = 1.0f - material.phong.transmission;
+    record.alpha = 1.0f - phong_of(scene, index).transmission;
     return record;
 }
 
@@ -164,8 +166,8 @@ PackedRaster pack_raster(const Scene& scene, const Camera& camera, const RenderO
     add_shapes(packer, scene);
     for (const Sphere& sphere : scene.spheres) packer.add_sphere(sphere);
     PackedRaster packed = packer.finish();
-    for (const Material& material : scene.materials)
-        packed.materials.push_back(pack_material(material));
+    for (uint32_t i = 0; i < scene.materials.size(); ++i)
+        packed.materials.push_back(pack_material(scene, i));
     packed.record.width = options.width;
     packed.record.height = options.height;
     const glm::vec3 background = raster_background(scene, parallel);

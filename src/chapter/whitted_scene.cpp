@@ -1,5 +1,6 @@
 #include "chapter/whitted_scene.h"
 
+#include "scene/phong.h"
 #include "shared/scene.h"
 
 #include <fmt/format.h>
@@ -59,14 +60,14 @@ void set_wavelengths(WhittedRecord& record, uint32_t count) {
 }
 
 WhittedRecord pack_settings(const Scene& scene, uint32_t depth) {
-    const WhittedSettings& w = scene.whitted;
+    const WhittedSettings& w = scene.chapter.whitted;
     WhittedRecord record{};
     copy(record.ambient, w.ambient.value_or(scene.environment.radiance));
     record.has_background = w.background.has_value();
     copy(record.background, w.background.value_or(glm::vec3(0.0f)));
     record.epsilon = w.epsilon;
     record.saturate = w.saturate;
-    record.source_reflectivity = w.source_reflectivity;
+    record.source_reflectivity = w.reflectivity == Reflectivity::source;
     record.distance_falloff = w.distance_falloff;
     record.fresnel = w.fresnel;
     record.max_depth = depth;
@@ -74,8 +75,9 @@ WhittedRecord pack_settings(const Scene& scene, uint32_t depth) {
     return record;
 }
 
-PhongRecord pack_phong(const Material& m) {
-    const Phong& p = m.phong;
+PhongRecord pack_phong(const Scene& scene, uint32_t material) {
+    const Material& m = scene.materials[material];
+    const Phong p = phong_of(scene, material);
     PhongRecord record{};
     copy(record.color, m.base_color);
     record.texture = m.base_color_texture < 0 ? NO_INDEX : uint32_t(m.base_color_texture);
@@ -90,11 +92,11 @@ PhongRecord pack_phong(const Material& m) {
     return record;
 }
 
-SourceRecord source(uint32_t kind, glm::vec3 position, glm::vec3 strength) {
+SourceRecord source(uint32_t kind, glm::vec3 position, glm::vec3 intensity) {
     SourceRecord record{};
     record.kind = kind;
     copy(record.position, position);
-    copy(record.intensity, strength);
+    copy(record.intensity, intensity);
     record.samples = 1;
     return record;
 }
@@ -102,7 +104,7 @@ SourceRecord source(uint32_t kind, glm::vec3 position, glm::vec3 strength) {
 SourceRecord pack_area_light(const AreaLight& light) {
     static_assert(uint32_t(AreaLightKind::disk) == SOURCE_DISK);
     static_assert(uint32_t(AreaLightKind::sphere) == SOURCE_SPHERE);
-    SourceRecord record = source(uint32_t(light.kind), light.position, light.strength);
+    SourceRecord record = source(uint32_t(light.kind), light.position, light.intensity);
     copy(record.edge1, light.edge1);
     copy(record.edge2, light.edge2);
     record.radius = light.radius;
@@ -121,16 +123,18 @@ std::vector<std::string> PackedWhitted::defines() const {
 PackedWhitted pack_whitted(const Scene& scene, uint32_t depth) {
     PackedWhitted packed;
     packed.settings = pack_settings(scene, depth);
-    for (const Material& material : scene.materials) {
-        packed.phong.push_back(pack_phong(material));
+    for (uint32_t i = 0; i < scene.materials.size(); i++) {
+        packed.phong.push_back(pack_phong(scene, i));
         packed.translucent |= packed.phong.back().transmission > 0;
         packed.dispersive |= packed.phong.back().dispersion > 0;
     }
-    for (const PointLight& light : scene.point_lights)
-        packed.sources.push_back(source(SOURCE_POINT, light.position, light.strength));
-    for (const DirectionalLight& light : scene.directional_lights)
-        packed.sources.push_back(source(SOURCE_DIRECTIONAL, light.to_light, light.strength));
-    for (const AreaLight& light : scene.area_lights)
+    for (uint32_t i = 0; i < scene.point_lights.size(); i++)
+        packed.sources.push_back(
+            source(SOURCE_POINT, scene.point_lights[i].position, point_intensity(scene, i)));
+    for (uint32_t i = 0; i < scene.directional_lights.size(); i++)
+        packed.sources.push_back(source(SOURCE_DIRECTIONAL, scene.directional_lights[i].to_light,
+                                        directional_intensity(scene, i)));
+    for (const AreaLight& light : scene.chapter.area_lights)
         packed.sources.push_back(pack_area_light(light));
     packed.settings.source_count = uint32_t(packed.sources.size());
     return packed;

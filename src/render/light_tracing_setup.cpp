@@ -56,11 +56,13 @@ uint64_t count_hidden_emitters(const PackedScene& scene) {
 }
 
 bool has_smooth_lobes(const Scene& scene) {
-    return std::ranges::any_of(scene.materials, [](const Material& given) {
-        const Material material = path_material(given);
-        return material.kind != MaterialKind::diffuse &&
-               material.roughness * material.roughness < SMOOTH_ALPHA;
-    });
+    for (uint32_t i = 0; i < scene.materials.size(); i++) {
+        const Material material = path_material(scene, i);
+        if (material.kind != MaterialKind::diffuse &&
+            material.roughness * material.roughness < SMOOTH_ALPHA)
+            return true;
+    }
+    return false;
 }
 
 } // namespace onde

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <map>
 
 namespace onde {
 
@@ -23,19 +23,12 @@ bool finite(const glm::vec3& v) {
 bool finite(const glm::mat4& m) {
     return std::all_of(&m[0][0], &m[0][0] + 16, [](float x) { return finite(x); });
 }
-/// False for NaN.
-bool in_unit(float x) {
-    return x >= 0.0f && x <= 1.0f;
-}
-bool not_negative(const glm::vec3& v) {
-    return finite(v) && v.x >= 0.0f && v.y >= 0.0f && v.z >= 0.0f;
-}
 bool is_unit(const glm::vec3& v) {
     return std::abs(glm::length(v) - 1.0f) < 1e-3f;
 }
 
 void require(bool holds, const char* list, size_t index, const std::string& name,
-             const char* problem) {
+             std::string_view problem) {
     if (holds) return;
     const std::string label = name.empty() ? "" : " '" + name + "'";
     throw InputError("{} {}{}: {}", list, index, label, problem);
@@ -48,35 +41,72 @@ void check_texture(const Texture& texture, size_t i) {
             "its size and its pixels disagree");
 }
 
-} // namespace
-
-void check_material(const Scene& scene, size_t i) {
-    const Material& m = scene.materials[i];
-    const auto check = [&](bool holds, const char* problem) {
-        require(holds, "material", i, m.name, problem);
-    };
-    check(in_unit(m.base_color.x) && in_unit(m.base_color.y) && in_unit(m.base_color.z),
-          "its base colour must lie between 0 and 1");
-    check(in_unit(m.roughness), "its roughness must lie between 0 and 1");
-    check(in_unit(m.metallic), "its metallic must lie between 0 and 1");
-    check(finite(m.ior) && m.ior > 0.0f, "its ior must be above 0");
-    check(not_negative(m.emission), "its emission must be finite and not negative");
-    check(finite(m.normal_scale), "its normal scale must be finite");
-    const Phong& p = m.phong;
-    check(finite(p.ambient) && finite(p.diffuse) && finite(p.specular) && p.ambient >= 0.0f &&
-              p.diffuse >= 0.0f && p.specular >= 0.0f,
-          "its ambient, diffuse and specular must be finite and not negative");
-    check(finite(p.exponent) && p.exponent >= 0.0f, "its exponent must not be negative");
-    check(in_unit(p.reflection) && in_unit(p.transmission),
-          "its reflection and transmission must lie between 0 and 1");
-    check(finite(p.abbe) && p.abbe >= 0.0f, "its Abbe number must not be negative");
-    for (int32_t texture :
-         {m.base_color_texture, m.metallic_roughness_texture, m.emission_texture, m.normal_texture})
-        check(texture >= NO_TEXTURE && texture < int64_t(scene.textures.size()),
-              "it names a texture that does not exist");
+bool in_range(const FieldRules& rules, float x) {
+    if (rules.form == Form::degrees)
+        return finite(x) && x >= glm::radians(float(rules.range.low)) &&
+               x <= glm::radians(float(rules.range.high));
+    return x >= float(rules.range.low) && x <= float(rules.range.high);
 }
 
-namespace {
+/// What is wrong with a member of the scene, to follow its name; or nothing.
+std::string problem(const Scene&, const FieldRules& rules, float value) {
+    return in_range(rules, value) ? "" : must_lie_in(rules.range);
+}
+
+std::string problem(const Scene& scene, const FieldRules& rules, uint32_t value) {
+    if (rules.form == Form::material && value >= scene.materials.size()) return "does not exist";
+    return rules.range.contains(value) ? "" : must_lie_in(rules.range);
+}
+
+std::string problem(const Scene& scene, const FieldRules&, int32_t texture) {
+    const bool exists = texture >= NO_TEXTURE && texture < int64_t(scene.textures.size());
+    return exists ? "" : "does not exist";
+}
+
+template <glm::length_t N>
+std::string problem(const Scene& scene, const FieldRules& rules, const glm::vec<N, float>& v) {
+    for (glm::length_t i = 0; i < N; ++i)
+        if (const std::string text = problem(scene, rules, v[i]); !text.empty()) return text;
+    return "";
+}
+
+std::string problem(const Scene&, const FieldRules&, const glm::mat4& m) {
+    return finite(m) ? "" : "must be finite";
+}
+
+/// Any text, switch and enum is right; maps are checked by themselves.
+template <class T>
+requires(std::is_enum_v<T> || std::is_same_v<T, bool> || std::is_same_v<T, std::string> ||
+         std::is_same_v<T, Image>) std::string problem(const Scene&, const FieldRules&, const T&) {
+    return "";
+}
+
+template <class T>
+std::string problem(const Scene& scene, const FieldRules& rules, const std::optional<T>& value);
+
+template <Fielded T>
+std::string problem(const Scene& scene, const FieldRules&, const T& thing) {
+    std::string first;
+    for_each_field(thing, [&](const auto& field, const auto& value) {
+        if (!first.empty()) return;
+        first = problem(scene, field.rules, value);
+        if (!first.empty()) first = fmt::format("{} {}", name_of(field), first);
+    });
+    return first;
+}
+
+template <class T>
+std::string problem(const Scene& scene, const FieldRules& rules, const std::optional<T>& value) {
+    return value ? problem(scene, rules, *value) : "";
+}
+
+/// Every member of a thing against its table.
+template <Fielded T>
+void check_fields(const Scene& scene, const T& thing, const char* list, size_t index,
+                  const std::string& name = {}) {
+    const std::string text = problem(scene, {}, thing);
+    require(text.empty(), list, index, name, "its " + text);
+}
 
 template <class T>
 bool all_finite(const std::vector<T>& values) {
@@ -126,8 +156,7 @@ void check_instance(const Scene& scene, size_t i) {
 
 void check_shape(const Scene& scene, size_t i) {
     const Shape& shape = scene.shapes[i];
-    require(shape.material < scene.materials.size(), "shape", i, "",
-            "it names a material that does not exist");
+    check_fields(scene, shape, "shape", i);
     require(shape.kind != ShapeKind::torus ||
                 (shape.minor_radius > 0.0f && shape.minor_radius < 1.0f),
             "shape", i, "", "its minor radius must lie between 0 and the major one");
@@ -135,41 +164,43 @@ void check_shape(const Scene& scene, size_t i) {
 }
 
 void check_lights(const Scene& scene) {
-    for (size_t i = 0; i < scene.point_lights.size(); ++i) {
-        const PointLight& light = scene.point_lights[i];
-        require(finite(light.position), "point light", i, "", "its position is not finite");
-        require(not_negative(light.intensity), "point light", i, "",
-                "its intensity must be finite and not negative");
-        require(not_negative(light.strength), "point light", i, "",
-                "its strength must be finite and not negative");
-    }
+    for (size_t i = 0; i < scene.point_lights.size(); ++i)
+        check_fields(scene, scene.point_lights[i], "point light", i);
     for (size_t i = 0; i < scene.directional_lights.size(); ++i) {
-        const DirectionalLight& light = scene.directional_lights[i];
-        require(is_unit(light.to_light), "directional light", i, "", "its direction is not unit");
-        require(not_negative(light.irradiance), "directional light", i, "",
-                "its irradiance must be finite and not negative");
-        require(not_negative(light.strength), "directional light", i, "",
-                "its strength must be finite and not negative");
+        check_fields(scene, scene.directional_lights[i], "directional light", i);
+        require(is_unit(scene.directional_lights[i].to_light), "directional light", i, "",
+                "its direction is not unit");
     }
 }
 
-void check_area_light(const Scene& scene, size_t i) {
-    const AreaLight& light = scene.area_lights[i];
-    const auto check = [&](bool holds, const char* problem) {
-        require(holds, "area light", i, "", problem);
-    };
-    check(finite(light.position) && finite(light.edge1) && finite(light.edge2) &&
-              finite(light.radius),
-          "its position and size must be finite");
-    check(not_negative(light.strength), "its strength must be finite and not negative");
-    check(light.samples >= 1 && light.samples <= 64, "its samples must lie between 1 and 64");
-    check(light.material < scene.materials.size(), "it names a material that does not exist");
+/// What the chapter states of elements of one of the scene's lists, by index.
+template <class T>
+void check_stated(const Scene& scene, const std::map<uint32_t, T>& stated, size_t count,
+                  const char* list, const std::string& member = {}) {
+    for (const auto& [index, value] : stated) {
+        require(index < count, list, index, "", "the chapter names it, but it does not exist");
+        const std::string text = problem(scene, {.range = NOT_NEGATIVE}, value);
+        require(text.empty(), list, index, "", "its " + member + text);
+    }
 }
 
-void check_environment(const Environment& environment) {
-    if (!not_negative(environment.radiance) || !finite(environment.rotation))
-        throw InputError(
-            "environment: radiance and rotation must be finite, radiance not negative");
+void check_chapter(const Scene& scene) {
+    const ChapterScene& chapter = scene.chapter;
+    check_stated(scene, chapter.phong, scene.materials.size(), "material");
+    check_stated(scene, chapter.point_intensities, scene.point_lights.size(), "point light",
+                 "chapter_intensity ");
+    check_stated(scene, chapter.directional_intensities, scene.directional_lights.size(),
+                 "directional light", "chapter_intensity ");
+    for (size_t i = 0; i < chapter.area_lights.size(); ++i)
+        check_fields(scene, chapter.area_lights[i], "area light", i);
+    const std::string text = problem(scene, {}, chapter.whitted);
+    if (!text.empty()) throw InputError("whitted: its {}", text);
+}
+
+void check_environment(const Scene& scene) {
+    const Environment& environment = scene.environment;
+    const std::string text = problem(scene, {}, environment);
+    if (!text.empty()) throw InputError("environment: its {}", text);
     if (!environment.map) return;
     const Image& map = *environment.map;
     if (map.width == 0 || map.height == 0 || map.channels != 3 ||
@@ -182,42 +213,19 @@ void check_environment(const Environment& environment) {
 
 } // namespace
 
+void check_material(const Scene& scene, size_t i) {
+    check_fields(scene, scene.materials[i], "material", i, scene.materials[i].name);
+}
+
 void check_camera(const Camera& camera, size_t i) {
-    const glm::mat4& m = camera.camera_to_world;
-    const glm::mat3 axes(m);
-    const auto check = [&](bool holds, const char* problem) {
-        require(holds, "camera", i, camera.name, problem);
-    };
-    check(finite(m), "its transform is not finite");
-    check(is_unit(axes[0]) && is_unit(axes[1]) && is_unit(axes[2]) &&
-              std::abs(glm::determinant(axes) - 1.0f) < 1e-2f,
-          "its transform must be a rotation and a translation");
-    check(camera.vertical_fov > 0.0f && camera.vertical_fov < 3.14159f,
-          "its vertical field of view must lie between 0 and 180 degrees");
-    check(finite(camera.aperture_radius) && camera.aperture_radius >= 0.0f,
-          "its aperture must not be negative");
-    check(finite(camera.focus_distance) && camera.focus_distance > 0.0f,
-          "its focus distance must be above 0");
-    check(finite(camera.orthographic_height) && camera.orthographic_height >= 0.0f,
-          "its orthographic height must not be negative");
-    if (!camera.screen) return;
-    check(finite(camera.screen->size) && camera.screen->size.x > 0.0f &&
-              camera.screen->size.y > 0.0f && finite(camera.screen->distance) &&
-              camera.screen->distance > 0.0f &&
-              finite(camera.screen->first_pixel.value_or(glm::vec2(0.0f))),
-          "its screen must have a size and a distance above 0");
+    check_fields(Scene{}, camera, "camera", i, camera.name);
+    const glm::mat3 axes(camera.camera_to_world);
+    require(is_unit(axes[0]) && is_unit(axes[1]) && is_unit(axes[2]) &&
+                std::abs(glm::determinant(axes) - 1.0f) < 1e-2f,
+            "camera", i, camera.name, "its transform must be a rotation and a translation");
 }
 
 namespace {
-
-void check_settings(const RenderSettings& settings) {
-    if (settings.width.value_or(1) == 0 || settings.height.value_or(1) == 0)
-        throw InputError("film: its width and height must be at least 1");
-    if (settings.samples.value_or(1) == 0 || settings.depth.value_or(1) == 0)
-        throw InputError("render: samples and depth must be at least 1");
-    if (!finite(settings.exposure.value_or(0.0f)))
-        throw InputError("render: exposure must be finite");
-}
 
 bool has_geometry(const Scene& scene) {
     return !scene.spheres.empty() || !scene.shapes.empty() ||
@@ -234,20 +242,15 @@ void check_scene(const Scene& scene) {
     for (size_t i = 0; i < scene.materials.size(); ++i) check_material(scene, i);
     for (size_t i = 0; i < scene.meshes.size(); ++i) check_mesh(scene, i);
     for (size_t i = 0; i < scene.instances.size(); ++i) check_instance(scene, i);
-    for (size_t i = 0; i < scene.spheres.size(); ++i) {
-        const Sphere& sphere = scene.spheres[i];
-        require(finite(sphere.center), "sphere", i, "", "its centre is not finite");
-        require(finite(sphere.radius) && sphere.radius > 0.0f, "sphere", i, "",
-                "its radius must be above 0");
-        require(sphere.material < scene.materials.size(), "sphere", i, "",
-                "it names a material that does not exist");
-    }
+    for (size_t i = 0; i < scene.spheres.size(); ++i)
+        check_fields(scene, scene.spheres[i], "sphere", i);
     for (size_t i = 0; i < scene.shapes.size(); ++i) check_shape(scene, i);
     check_lights(scene);
-    for (size_t i = 0; i < scene.area_lights.size(); ++i) check_area_light(scene, i);
-    check_environment(scene.environment);
+    check_environment(scene);
     for (size_t i = 0; i < scene.cameras.size(); ++i) check_camera(scene.cameras[i], i);
-    check_settings(scene.settings);
+    const std::string text = problem(scene, {}, scene.settings);
+    if (!text.empty()) throw InputError("render settings: their {}", text);
+    check_chapter(scene);
     if (!has_geometry(scene)) throw InputError("the scene is empty; add a shape or a mesh");
 }
 

@@ -3,7 +3,6 @@
 #include "core/files.h"
 #include "image/image_io.h"
 #include "scene/gltf_scene.h"
-#include "scene/phong.h"
 #include "scene/references.h"
 
 #include <fmt/format.h>
@@ -145,7 +144,6 @@ Material convert(File& file, TextureLoader& textures, const tinygltf::Material& 
         file.notes.add("Alpha MASK and BLEND are rendered opaque", user);
     apply_emissive_strength(source, material);
     apply_transmission(file, source, material);
-    material.phong = phong_of(material);
     return material;
 }
 
@@ -165,6 +163,7 @@ void add_materials(File& file, Scene& scene) {
     none.kind = MaterialKind::metallic_roughness;
     none.base_color = glm::vec3(1.0f);
     none.metallic = 1.0f;
+    scene.chapter.phong[uint32_t(scene.materials.size() - 1)] = {}; // white, and no mirror
 }
 
 } // namespace onde::gltf

@@ -16,8 +16,8 @@ using Sentences = std::vector<std::string>;
 template <class IsMapped, class KindOf>
 std::string count_kinds(const Scene& scene, const IsMapped& is_mapped, const KindOf& kind_of) {
     std::map<MaterialKind, size_t> counts;
-    for (const Material& material : scene.materials)
-        if (is_mapped(material)) ++counts[kind_of(material)];
+    for (uint32_t i = 0; i < scene.materials.size(); ++i)
+        if (is_mapped(scene.materials[i])) ++counts[kind_of(i)];
     std::vector<std::string> words;
     for (const auto& [kind, count] : counts)
         words.push_back(fmt::format("{} {}", count, word_of(kind)));
@@ -35,13 +35,14 @@ bool glows(const Material& material) {
 }
 
 size_t count_lights(const Scene& scene) {
-    return scene.point_lights.size() + scene.directional_lights.size() + scene.area_lights.size();
+    return scene.point_lights.size() + scene.directional_lights.size() +
+           scene.chapter.area_lights.size();
 }
 
 /// Glowing materials whose geometry is not of a light that Whitted knows.
 size_t count_unlisted_glow(const Scene& scene) {
     std::vector<bool> listed(scene.materials.size());
-    for (const AreaLight& light : scene.area_lights) listed[light.material] = true;
+    for (const AreaLight& light : scene.chapter.area_lights) listed[light.material] = true;
     size_t count = 0;
     for (size_t i = 0; i < scene.materials.size(); ++i)
         count += !listed[i] && glows(scene.materials[i]);
@@ -56,13 +57,13 @@ bool has_lens(const Scene& scene) {
 Sentences notes_of_light_transport(const Scene& scene) {
     Sentences notes;
     const std::string kinds = count_kinds(
-        scene, is_phong, [](const Material& material) { return path_material(material).kind; });
+        scene, is_phong, [&](uint32_t material) { return path_material(scene, material).kind; });
     if (!kinds.empty()) notes.push_back("phong materials were taken as physical ones: " + kinds);
-    if (scene.derived_lights.measures > 0)
-        notes.push_back(fmt::format("{} lights have only the chapter's strength; their power was "
+    if (scene.chapter.derived_lights.measures > 0)
+        notes.push_back(fmt::format("{} lights have only the chapter's intensity; their power was "
                                     "chosen so that the scene's centre looks the same",
-                                    scene.derived_lights.measures));
-    if (scene.whitted.ambient || scene.whitted.background)
+                                    scene.chapter.derived_lights.measures));
+    if (scene.chapter.whitted.ambient || scene.chapter.whitted.background)
         notes.push_back("the ambient light and background of [whitted] were left out; the "
                         "[environment] counts");
     return notes;
@@ -71,19 +72,19 @@ Sentences notes_of_light_transport(const Scene& scene) {
 Sentences notes_of_whitted(const Scene& scene) {
     Sentences notes;
     const std::string kinds =
-        count_kinds(scene, is_physical, [](const Material& material) { return material.kind; });
+        count_kinds(scene, is_physical, [&](uint32_t i) { return scene.materials[i].kind; });
     if (!kinds.empty()) notes.push_back("materials were taken as phong ones: " + kinds);
-    if (scene.derived_lights.strengths > 0)
+    if (scene.chapter.derived_lights.intensities > 0)
         notes.push_back(
-            fmt::format("{} lights have only a power; their strength was chosen so that "
+            fmt::format("{} lights have only a power; their chapter_intensity was chosen so that "
                         "the scene's centre looks the same",
-                        scene.derived_lights.strengths));
+                        scene.chapter.derived_lights.intensities));
     if (const size_t glowing = count_unlisted_glow(scene))
         notes.push_back(
             fmt::format("{} glowing materials are seen but light nothing: only [[light]] "
                         "does",
                         glowing));
-    if (scene.environment.map && !scene.whitted.ambient)
+    if (scene.environment.map && !scene.chapter.whitted.ambient)
         notes.push_back("of the environment map the ambient light has its factor only");
     if (has_lens(scene)) notes.push_back("the lens was taken as a pinhole");
     return notes;
@@ -92,10 +93,11 @@ Sentences notes_of_whitted(const Scene& scene) {
 Sentences notes_of_raster(const Scene& scene) {
     Sentences notes;
     const size_t lights = count_lights(scene);
-    const bool bends = std::ranges::any_of(scene.materials, [](const Material& material) {
-        return phong_of(material).reflection > 0 || material.phong.reflection > 0 ||
-               material.kind == MaterialKind::dielectric || material.phong.transmission > 0;
-    });
+    bool bends = false;
+    for (uint32_t i = 0; i < scene.materials.size(); ++i) {
+        const Phong phong = phong_of(scene, i);
+        bends |= phong.reflection > 0 || phong.transmission > 0;
+    }
     std::vector<std::string> left_out;
     if (lights > 0) left_out.push_back(fmt::format("{} lights", lights));
     if (std::ranges::any_of(scene.materials, glows)) left_out.push_back("glow");

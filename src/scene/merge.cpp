@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 namespace onde {
 
@@ -19,10 +20,11 @@ static uint32_t move_to_end(std::vector<T>& whole, std::vector<T>& part) {
     return uint32_t(first);
 }
 
-static void shift_textures(Material& material, uint32_t offset) {
-    for (int32_t* texture : {&material.base_color_texture, &material.metallic_roughness_texture,
-                             &material.emission_texture, &material.normal_texture})
-        if (*texture != NO_TEXTURE) *texture += int32_t(offset);
+/// Adds what `part` states by index to `whole`, whose list begins at `first` for it.
+template <class T>
+static void take_shifted(std::map<uint32_t, T>& whole, const std::map<uint32_t, T>& part,
+                         size_t first) {
+    for (const auto& [index, value] : part) whole[uint32_t(first) + index] = value;
 }
 
 AssetOffsets append_assets(Scene& whole, Scene& part) {
@@ -30,7 +32,10 @@ AssetOffsets append_assets(Scene& whole, Scene& part) {
                                .materials = move_to_end(whole.materials, part.materials),
                                .meshes = move_to_end(whole.meshes, part.meshes)};
     for (size_t i = offsets.materials; i < whole.materials.size(); ++i)
-        shift_textures(whole.materials[i], offsets.textures);
+        for_each_texture(whole.materials[i], [&](const auto&, int32_t& texture) {
+            if (texture != NO_TEXTURE) texture += int32_t(offsets.textures);
+        });
+    take_shifted(whole.chapter.phong, part.chapter.phong, offsets.materials);
     for (size_t i = offsets.meshes; i < whole.meshes.size(); ++i)
         for (uint32_t& material : whole.meshes[i].materials) material += offsets.materials;
     return offsets;
@@ -86,9 +91,10 @@ glm::mat4 rigid_part(const glm::mat4& transform) {
 static Camera placed(Camera camera, const glm::mat4& transform) {
     const float scale = std::cbrt(std::abs(glm::determinant(glm::mat3(transform))));
     camera.camera_to_world = rigid_part(transform * camera.camera_to_world);
-    camera.aperture_radius *= scale;
-    camera.focus_distance *= scale;
-    camera.orthographic_height *= scale;
+    for_each_field(camera, [&](const auto& field, auto& value) {
+        if constexpr (std::is_same_v<decltype(value), float&>)
+            if (field.rules.form == Form::length) value *= scale;
+    });
     return camera;
 }
 
@@ -107,31 +113,43 @@ bool emits(const Environment& environment) {
            environment.radiance.z > 0.0f;
 }
 
-template <class T>
-static void take_missing(std::optional<T>& whole, const std::optional<T>& part) {
-    if (!whole) whole = part;
-}
-
 static void take_missing(RenderSettings& whole, const RenderSettings& part) {
-    take_missing(whole.width, part.width);
-    take_missing(whole.height, part.height);
-    take_missing(whole.samples, part.samples);
-    take_missing(whole.depth, part.depth);
-    take_missing(whole.seed, part.seed);
-    take_missing(whole.filter, part.filter);
-    take_missing(whole.exposure, part.exposure);
-    take_missing(whole.integrator, part.integrator);
+    for_each_entry<RenderSettings>([&](const auto& field) {
+        if (!(whole.*field.member)) whole.*field.member = part.*field.member;
+    });
 }
 
 /// [whitted] is taken as a whole, from the including scene first.
-static void take_whitted(Scene& whole, const Scene& part) {
+static void take_whitted(Scene& whole, const ChapterScene& part) {
     static const std::string left_out =
         "The [whitted] settings of an included scene are left out: others come first.";
-    if (!whole.whitted.given)
-        whole.whitted = part.whitted;
-    else if (part.whitted.given && part.whitted != whole.whitted &&
+    ChapterScene& chapter = whole.chapter;
+    if (!part.states_whitted) return;
+    if (!chapter.states_whitted)
+        chapter.whitted = part.whitted;
+    else if (part.whitted != chapter.whitted &&
              std::ranges::find(whole.notes, left_out) == whole.notes.end())
         whole.notes.push_back(left_out);
+    chapter.states_whitted = true;
+}
+
+static void append_lights(Scene& whole, const Scene& part, const AssetOffsets& offsets,
+                          const glm::mat4& transform) {
+    ChapterScene& chapter = whole.chapter;
+    take_shifted(chapter.point_intensities, part.chapter.point_intensities,
+                 whole.point_lights.size());
+    take_shifted(chapter.directional_intensities, part.chapter.directional_intensities,
+                 whole.directional_lights.size());
+    for (PointLight light : part.point_lights) {
+        light.position = transform_point(transform, light.position);
+        whole.point_lights.push_back(light);
+    }
+    for (DirectionalLight light : part.directional_lights) {
+        light.to_light = glm::normalize(glm::mat3(transform) * light.to_light);
+        whole.directional_lights.push_back(light);
+    }
+    for (const AreaLight& light : part.chapter.area_lights)
+        chapter.area_lights.push_back(placed(light, transform, offsets.materials));
 }
 
 void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
@@ -152,18 +170,11 @@ void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
         shape.object_to_world = transform * shape.object_to_world;
         whole.shapes.push_back(shape);
     }
-    for (const PointLight& light : part.point_lights)
-        whole.point_lights.push_back(
-            {transform_point(transform, light.position), light.intensity, light.strength});
-    for (const DirectionalLight& light : part.directional_lights)
-        whole.directional_lights.push_back({glm::normalize(glm::mat3(transform) * light.to_light),
-                                            light.irradiance, light.strength});
-    for (const AreaLight& light : part.area_lights)
-        whole.area_lights.push_back(placed(light, transform, offsets.materials));
+    append_lights(whole, part, offsets, transform);
     for (const Camera& camera : part.cameras) whole.cameras.push_back(placed(camera, transform));
     if (!emits(whole.environment)) whole.environment = part.environment;
     take_missing(whole.settings, part.settings);
-    take_whitted(whole, part);
+    take_whitted(whole, part.chapter);
 }
 
 void append(Scene& whole, Scene&& part, const glm::mat4& transform) {

@@ -1,7 +1,6 @@
 #include "scene/obj_material.h"
 
 #include "core/error.h"
-#include "scene/phong.h"
 #include "scene/references.h"
 
 #include <tiny_obj_loader.h>
@@ -107,7 +106,6 @@ Material convert_mtl(const tinyobj::material_t& source, Scene& scene,
         m.emission = glm::vec3(1.0f);
     m.normal_texture = texture(source.normal_texname, source.normal_texopt, false);
     note_ignored(source, notes);
-    m.phong = phong_of(m);
     return m;
 }
 

@@ -19,13 +19,14 @@ float exponent_of(float roughness) {
     return std::clamp(2 / (alpha * alpha) - 2, 0.0f, 1000.0f);
 }
 
-/// Lets `strength` and the radiometric `measure` = factor * strength follow from each other.
-void complete(glm::vec3& strength, glm::vec3& measure, float factor, DerivedLights& derived) {
-    if (largest(strength) <= 0.0f) {
-        strength = measure / factor;
-        ++derived.strengths;
+/// Lets the chapter's `intensity` and the radiometric `measure` = factor * intensity follow from
+/// each other.
+void complete(glm::vec3& intensity, glm::vec3& measure, float factor, DerivedLights& derived) {
+    if (largest(intensity) <= 0.0f) {
+        intensity = measure / factor;
+        ++derived.intensities;
     } else if (largest(measure) <= 0.0f) {
-        measure = strength * factor;
+        measure = intensity * factor;
         ++derived.measures;
     }
 }
@@ -71,10 +72,29 @@ Phong phong_of(const Material& m) {
     return p;
 }
 
-Material path_material(const Material& material) {
-    Material m = material;
+Phong phong_of(const Scene& scene, uint32_t material) {
+    const auto stated = scene.chapter.phong.find(material);
+    return stated == scene.chapter.phong.end() ? phong_of(scene.materials[material])
+                                               : stated->second;
+}
+
+static glm::vec3 stated_at(const std::map<uint32_t, glm::vec3>& intensities, uint32_t light) {
+    const auto stated = intensities.find(light);
+    return stated == intensities.end() ? glm::vec3(0.0f) : stated->second;
+}
+
+glm::vec3 point_intensity(const Scene& scene, uint32_t light) {
+    return stated_at(scene.chapter.point_intensities, light);
+}
+
+glm::vec3 directional_intensity(const Scene& scene, uint32_t light) {
+    return stated_at(scene.chapter.directional_intensities, light);
+}
+
+Material path_material(const Scene& scene, uint32_t material) {
+    Material m = scene.materials[material];
     if (m.kind != MaterialKind::phong) return m;
-    const Phong& p = m.phong;
+    const Phong p = phong_of(scene, material);
     if (p.transmission > 0.5f) {
         m.kind = MaterialKind::dielectric;
         m.base_color = glm::vec3(p.transmission);
@@ -90,24 +110,30 @@ Material path_material(const Material& material) {
 }
 
 void complete_lights(Scene& scene) {
-    if (scene.point_lights.empty() && scene.directional_lights.empty() && scene.area_lights.empty())
+    ChapterScene& chapter = scene.chapter;
+    if (scene.point_lights.empty() && scene.directional_lights.empty() &&
+        chapter.area_lights.empty())
         return;
-    scene.derived_lights = {};
+    chapter.derived_lights = {};
     const SceneBounds bounds = scene_bounds(scene);
     const glm::vec3 center = 0.5f * bounds.low + 0.5f * bounds.high;
     const auto distance2 = [&](glm::vec3 from) {
         const glm::vec3 d = from - center;
         return std::max(glm::dot(d, d), 1e-12f);
     };
-    for (PointLight& light : scene.point_lights)
-        complete(light.strength, light.intensity, PI * distance2(light.position),
-                 scene.derived_lights);
-    for (DirectionalLight& light : scene.directional_lights)
-        complete(light.strength, light.irradiance, PI, scene.derived_lights);
-    for (AreaLight& light : scene.area_lights)
-        complete(light.strength, scene.materials[light.material].emission,
+    for (uint32_t i = 0; i < scene.point_lights.size(); ++i) {
+        PointLight& light = scene.point_lights[i];
+        glm::vec3& intensity = chapter.point_intensities.try_emplace(i, 0.0f).first->second;
+        complete(intensity, light.intensity, PI * distance2(light.position),
+                 chapter.derived_lights);
+    }
+    for (uint32_t i = 0; i < scene.directional_lights.size(); ++i)
+        complete(chapter.directional_intensities.try_emplace(i, 0.0f).first->second,
+                 scene.directional_lights[i].irradiance, PI, chapter.derived_lights);
+    for (AreaLight& light : chapter.area_lights)
+        complete(light.intensity, scene.materials[light.material].emission,
                  PI * distance2(middle(light)) / std::max(area(light), 1e-12f),
-                 scene.derived_lights);
+                 chapter.derived_lights);
 }
 
 } // namespace onde

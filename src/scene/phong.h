@@ -12,13 +12,20 @@ namespace onde {
 /// the wider the highlight: exponent 2 / alpha^2 - 2 (Walter et al. 2007), at most 1000.
 Phong phong_of(const Material& material);
 
+/// What the scene's file states of a material, else the above.
+Phong phong_of(const Scene& scene, uint32_t material);
+
+/// The chapter's intensity of a light, 0 where neither the file nor complete_scene() states one.
+glm::vec3 point_intensity(const Scene& scene, uint32_t light);
+glm::vec3 directional_intensity(const Scene& scene, uint32_t light);
+
 /// What integrators that follow light make of a material: phong becomes a dielectric where more
 /// than half goes through, a conductor where more than half is reflected, else diffuse. Others
 /// stay.
-Material path_material(const Material& material);
+Material path_material(const Scene& scene, uint32_t material);
 
-/// Sets the measure that each light lacks (see PointLight): the strength of a light is that with
-/// which a diffuse surface that faces it from the scene's centre shows the same colour.
+/// Sets the measure that each light lacks: the chapter's intensity of a light is that with which a
+/// diffuse surface that faces it from the scene's centre shows the same colour.
 void complete_lights(Scene& scene);
 
 } // namespace onde

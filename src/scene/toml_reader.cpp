@@ -54,7 +54,7 @@ static std::string joined(std::span<const std::string_view> names) {
     return list;
 }
 
-void TableReader::allow(std::initializer_list<std::string_view> keys) const {
+void TableReader::allow(std::span<const std::string_view> keys) const {
     for (const auto& [key, node] : *table_) {
         if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
         fail(key.str(), fmt::format("is not a key here; did you mean '{}'? Allowed: {}",
@@ -65,14 +65,8 @@ void TableReader::allow(std::initializer_list<std::string_view> keys) const {
 float TableReader::to_float(const toml::node& node, std::string_view key, Range range) const {
     const std::optional<double> value = node.value<double>();
     if (!value || node.is_boolean()) fail(key, "must be a number");
-    const bool inside = range.open ? *value > range.low && *value < range.high
-                                   : *value >= range.low && *value <= range.high;
-    if (inside) return float(*value);
-    if (range.low == POSITIVE.low) fail(key, fmt::format("must be above 0, not {}", *value));
-    if (range.high == ANY_NUMBER.high && range.low == 0.0)
-        fail(key, fmt::format("must be finite and not negative, not {}", *value));
-    if (range.high == ANY_NUMBER.high) fail(key, fmt::format("must be finite, not {}", *value));
-    fail(key, fmt::format("must lie between {} and {}, not {}", range.low, range.high, *value));
+    if (range.contains(*value)) return float(*value);
+    fail(key, fmt::format("{}, not {}", must_lie_in(range), *value));
 }
 
 std::optional<float> TableReader::number(std::string_view key, Range range) const {

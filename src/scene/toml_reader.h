@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/enum_words.h"
+#include "scene/fields.h"
 
 #include <glm/glm.hpp>
 #include <toml++/toml.h>
 
 #include <cstdint>
 #include <initializer_list>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,18 +16,6 @@
 #include <vector>
 
 namespace onde {
-
-/// The values that a key may have; the ends belong to it unless `open`.
-struct Range {
-    double low = -std::numeric_limits<float>::max();
-    double high = std::numeric_limits<float>::max();
-    bool open = false;
-};
-
-inline constexpr Range ANY_NUMBER{};
-inline constexpr Range NOT_NEGATIVE{.low = 0.0};
-inline constexpr Range POSITIVE{.low = 1e-30};
-inline constexpr Range UNIT{.low = 0.0, .high = 1.0};
 
 /// One table of a TOML file. Every error is an InputError "FILE:LINE:COLUMN: KEY PATH: problem".
 /// Values are finite and in the given range; whole numbers are taken as floats where floats are
@@ -38,7 +26,10 @@ class TableReader {
     TableReader(const toml::table& table, std::string file, std::string path);
 
     /// Throws for the first key that is none of these, naming the nearest one.
-    void allow(std::initializer_list<std::string_view> keys) const;
+    void allow(std::span<const std::string_view> keys) const;
+    void allow(std::initializer_list<std::string_view> keys) const {
+        allow(std::span(keys.begin(), keys.size()));
+    }
 
     bool has(std::string_view key) const { return table_->contains(key); }
 

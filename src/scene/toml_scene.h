@@ -30,7 +30,6 @@ class TomlScene {
     };
 
     void read_settings(const TableReader& root);
-    void read_whitted(const TableReader& root);
     void read_camera(const TableReader& table);
     void read_material(const TableReader& table);
     void read_environment(const TableReader& root);
@@ -40,18 +39,27 @@ class TomlScene {
 
     void add_rectangle(const TableReader& table, uint32_t material);
     void add_sphere(const TableReader& table, uint32_t material);
+    void add_box(const TableReader& table, uint32_t material);
+    void add_plane(const TableReader& table, uint32_t material);
     void add_disk(const TableReader& table, uint32_t material);
+    void add_round(const TableReader& table, ShapeKind kind, uint32_t material);
+    void add_torus(const TableReader& table, uint32_t material);
+    void add_ellipsoid(const TableReader& table, uint32_t material);
     void add_placed(const TableReader& table, Shape shape, const glm::vec3& size);
     void add_baked(Mesh mesh, const glm::mat4& transform);
-    void add_mesh_file(const TableReader& table);
+    void add_mesh(const TableReader& table);
     Mesh inline_mesh(const TableReader& table, uint32_t material) const;
 
-    glm::vec3 base_color(const TableReader& table) const;
     int32_t texture(const TableReader& table, std::string_view key, bool srgb);
     uint32_t material_named_in(const TableReader& table);
     uint32_t default_material();
     uint32_t emitter(const TableReader& table);
     void add_area_light(const TableReader& table, AreaLight light);
+    void add_point_light(const TableReader& table);
+    void add_directional_light(const TableReader& table);
+    void add_rectangle_light(const TableReader& table);
+    void add_disk_light(const TableReader& table);
+    void add_sphere_light(const TableReader& table);
     glm::mat4 placement(const TableReader& table) const;
     void place(const TableReader& table, std::string_view key, const std::string& file,
                const Part& part, const glm::mat4& transform);

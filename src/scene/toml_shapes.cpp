@@ -2,6 +2,8 @@
 #include "core/error.h"
 #include "scene/loaders.h"
 #include "scene/shapes.h"
+#include "scene/toml_fields.h"
+#include "scene/toml_keys.h"
 #include "scene/toml_scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -10,6 +12,7 @@
 
 namespace onde {
 namespace fs = std::filesystem;
+namespace keys = toml_keys;
 
 uint32_t TomlScene::default_material() {
     if (default_material_ < 0) {
@@ -32,18 +35,16 @@ uint32_t TomlScene::material_named_in(const TableReader& table) {
                            known.empty() ? "none" : known));
 }
 
-/// Scale first, then rotation about X, Y and Z, then position.
 glm::mat4 TomlScene::placement(const TableReader& table) const {
-    const glm::vec3 position = table.vector("position").value_or(glm::vec3(0.0f));
-    const glm::vec3 angles = glm::radians(table.vector("rotation").value_or(glm::vec3(0.0f)));
-    const glm::vec3 scale = table.color("scale", ANY_NUMBER).value_or(glm::vec3(1.0f));
-    if (!std::isnormal(scale.x * scale.y * scale.z))
+    keys::Placement p;
+    read_fields(table, p);
+    if (!std::isnormal(p.scale.x * p.scale.y * p.scale.z))
         table.fail("scale", "must not be 0 along any axis, nor extreme");
-    glm::mat4 m = glm::translate(glm::mat4(1.0f), position);
-    m = glm::rotate(m, angles.z, glm::vec3(0, 0, 1));
-    m = glm::rotate(m, angles.y, glm::vec3(0, 1, 0));
-    m = glm::rotate(m, angles.x, glm::vec3(1, 0, 0));
-    return glm::scale(m, scale);
+    glm::mat4 m = glm::translate(glm::mat4(1.0f), p.position);
+    m = glm::rotate(m, p.rotation.z, glm::vec3(0, 0, 1));
+    m = glm::rotate(m, p.rotation.y, glm::vec3(0, 1, 0));
+    m = glm::rotate(m, p.rotation.x, glm::vec3(1, 0, 0));
+    return glm::scale(m, p.scale);
 }
 
 void TomlScene::add_baked(Mesh mesh, const glm::mat4& transform) {
@@ -53,9 +54,9 @@ void TomlScene::add_baked(Mesh mesh, const glm::mat4& transform) {
 }
 
 void TomlScene::add_sphere(const TableReader& table, uint32_t material) {
-    const glm::vec3 center = table.vector("center").value_or(glm::vec3(0.0f));
-    const float radius = table.number("radius", POSITIVE).value_or(1.0f);
-    scene_.spheres.push_back({center, radius, material});
+    Sphere sphere{.material = material};
+    read_fields(table, sphere);
+    scene_.spheres.push_back(sphere);
 }
 
 /// A canonical shape, first scaled by `size`.
@@ -67,30 +68,68 @@ void TomlScene::add_placed(const TableReader& table, Shape shape, const glm::vec
 }
 
 void TomlScene::add_disk(const TableReader& table, uint32_t material) {
-    const float radius = table.number("radius", POSITIVE).value_or(1.0f);
+    keys::Disk disk;
+    read_fields(table, disk);
     add_placed(table, {.kind = ShapeKind::disk, .material = material},
-               glm::vec3(radius, 1.0f, radius));
+               glm::vec3(disk.radius, 1.0f, disk.radius));
+}
+
+void TomlScene::add_round(const TableReader& table, ShapeKind kind, uint32_t material) {
+    keys::Round round;
+    read_fields(table, round);
+    // Canonical cylinders are 2 high.
+    const float y = kind == ShapeKind::cone ? round.height : 0.5f * round.height;
+    add_placed(table, {.kind = kind, .material = material},
+               glm::vec3(round.radius, y, round.radius));
+}
+
+void TomlScene::add_torus(const TableReader& table, uint32_t material) {
+    keys::Torus torus;
+    read_fields(table, torus);
+    const float minor =
+        torus.minor_radius.value_or(0.25f * torus.major_radius) / torus.major_radius;
+    if (!(minor < 1.0f && minor > 0.0f)) table.fail("minor_radius", "must be below major_radius");
+    add_placed(table, {.kind = ShapeKind::torus, .material = material, .minor_radius = minor},
+               glm::vec3(torus.major_radius));
 }
 
 void TomlScene::add_rectangle(const TableReader& table, uint32_t material) {
-    if (!table.has("corner")) {
+    keys::Rectangle rectangle;
+    read_fields(table, rectangle);
+    if (!rectangle.corner) {
         for (const char* key : {"edge1", "edge2"})
             if (table.has(key)) table.fail(key, "goes with corner; add corner");
-        const auto size = table.numbers("size", 2, POSITIVE).value_or(std::vector{1.0f, 1.0f});
-        const glm::vec3 corner(-0.5f * size[0], -0.5f * size[1], 0.0f);
-        add_baked(
-            rectangle_mesh(corner, glm::vec3(size[0], 0, 0), glm::vec3(0, size[1], 0), material),
-            placement(table));
-        return;
+        const glm::vec3 x(rectangle.size.x, 0, 0), y(0, rectangle.size.y, 0);
+        const glm::vec3 corner(-0.5f * x.x, -0.5f * y.y, 0.0f);
+        return add_baked(rectangle_mesh(corner, x, y, material), placement(table));
     }
     for (const char* key : {"position", "rotation", "scale", "size"})
         if (table.has(key)) table.fail(key, "can't go with corner; use corner, edge1 and edge2");
-    const glm::vec3 corner = *table.vector("corner");
-    const glm::vec3 edge1 = table.require("edge1", table.vector("edge1"));
-    const glm::vec3 edge2 = table.require("edge2", table.vector("edge2"));
+    const glm::vec3 edge1 = table.require("edge1", rectangle.edge1);
+    const glm::vec3 edge2 = table.require("edge2", rectangle.edge2);
     if (glm::length(glm::cross(glm::dvec3(edge1), glm::dvec3(edge2))) == 0.0)
         table.fail("edge2", "must not be zero or parallel to edge1");
-    add_baked(rectangle_mesh(corner, edge1, edge2, material), glm::mat4(1.0f));
+    add_baked(rectangle_mesh(*rectangle.corner, edge1, edge2, material), glm::mat4(1.0f));
+}
+
+void TomlScene::add_plane(const TableReader& table, uint32_t material) {
+    keys::Plane plane;
+    read_fields(table, plane);
+    const glm::vec3 corner(-0.5f * plane.size, 0.0f, 0.5f * plane.size);
+    const glm::vec3 x(plane.size, 0, 0), minus_z(0, 0, -plane.size);
+    add_baked(rectangle_mesh(corner, x, minus_z, material), placement(table));
+}
+
+void TomlScene::add_box(const TableReader& table, uint32_t material) {
+    keys::Box box;
+    read_fields(table, box);
+    add_baked(box_mesh(box.size, material), placement(table));
+}
+
+void TomlScene::add_ellipsoid(const TableReader& table, uint32_t material) {
+    keys::Ellipsoid ellipsoid;
+    read_fields(table, ellipsoid);
+    add_placed(table, {.kind = ShapeKind::sphere, .material = material}, ellipsoid.radii);
 }
 
 Mesh TomlScene::inline_mesh(const TableReader& table, uint32_t material) const {
@@ -110,197 +149,157 @@ Mesh TomlScene::inline_mesh(const TableReader& table, uint32_t material) const {
     return mesh;
 }
 
-void TomlScene::add_mesh_file(const TableReader& table) {
+void TomlScene::add_mesh(const TableReader& table) {
+    keys::MeshFile mesh;
+    read_fields(table, mesh);
+    if (mesh.file.empty() && !table.has("file"))
+        return add_baked(inline_mesh(table, material_named_in(table)), placement(table));
     for (const char* key : {"positions", "triangles"})
         if (table.has(key)) table.fail(key, "can't go with file; give one of them");
-    const std::string file = *table.text("file");
-    if (fs::path(file).extension() == ".toml")
+    if (fs::path(mesh.file).extension() == ".toml")
         table.fail("file", "must be a .obj, .ply, .gltf or .glb; include scenes by [[include]]");
     const int64_t material = table.has("material") ? int64_t(material_named_in(table)) : -1;
-    place(table, "file", file, part(table, "file", file, true, material), placement(table));
-}
-
-enum class ShapeType {
-    sphere,
-    rectangle,
-    box,
-    plane,
-    mesh,
-    disk,
-    cylinder,
-    cone,
-    torus,
-    ellipsoid
-};
-
-constexpr auto enum_words(ShapeType) {
-    return std::array{
-        EnumWord{ShapeType::sphere, "sphere"},     EnumWord{ShapeType::rectangle, "rectangle"},
-        EnumWord{ShapeType::box, "box"},           EnumWord{ShapeType::plane, "plane"},
-        EnumWord{ShapeType::mesh, "mesh"},         EnumWord{ShapeType::disk, "disk"},
-        EnumWord{ShapeType::cylinder, "cylinder"}, EnumWord{ShapeType::cone, "cone"},
-        EnumWord{ShapeType::torus, "torus"},       EnumWord{ShapeType::ellipsoid, "ellipsoid"}};
+    place(table, "file", mesh.file, part(table, "file", mesh.file, true, material),
+          placement(table));
 }
 
 void TomlScene::read_shape(const TableReader& table) {
-    switch (const ShapeType type = table.require("type", table.choice<ShapeType>("type"))) {
-    case ShapeType::sphere:
-        table.allow({"type", "material", "center", "radius"});
-        return add_sphere(table, material_named_in(table));
-    case ShapeType::rectangle:
-        table.allow({"type", "material", "position", "rotation", "scale", "size", "corner", "edge1",
-                     "edge2"});
-        return add_rectangle(table, material_named_in(table));
-    case ShapeType::box: {
-        table.allow({"type", "material", "position", "rotation", "scale", "size"});
-        const glm::vec3 size = table.color("size", POSITIVE).value_or(glm::vec3(1.0f));
-        return add_baked(box_mesh(size, material_named_in(table)), placement(table));
-    }
-    case ShapeType::plane: {
-        table.allow({"type", "material", "position", "rotation", "scale", "size"});
-        const float size = table.number("size", POSITIVE).value_or(1000.0f);
-        const glm::vec3 corner(-0.5f * size, 0.0f, 0.5f * size), x(size, 0, 0),
-            minus_z(0, 0, -size);
-        return add_baked(rectangle_mesh(corner, x, minus_z, material_named_in(table)),
-                         placement(table));
-    }
-    case ShapeType::disk:
-        table.allow({"type", "material", "position", "rotation", "scale", "radius"});
-        return add_disk(table, material_named_in(table));
-    case ShapeType::cylinder:
-    case ShapeType::cone: {
-        table.allow({"type", "material", "position", "rotation", "scale", "radius", "height"});
-        const float radius = table.number("radius", POSITIVE).value_or(1.0f);
-        const float height = table.number("height", POSITIVE).value_or(1.0f);
-        const bool cone = type == ShapeType::cone;
-        return add_placed(table,
-                          {.kind = cone ? ShapeKind::cone : ShapeKind::cylinder,
-                           .material = material_named_in(table)},
-                          glm::vec3(radius, cone ? height : 0.5f * height, radius));
-    }
-    case ShapeType::torus: {
-        table.allow(
-            {"type", "material", "position", "rotation", "scale", "major_radius", "minor_radius"});
-        const float major = table.number("major_radius", POSITIVE).value_or(1.0f);
-        const float minor = table.number("minor_radius", POSITIVE).value_or(0.25f * major);
-        if (!(minor / major < 1.0f && minor / major > 0.0f))
-            table.fail("minor_radius", "must be below major_radius");
-        return add_placed(table,
-                          {.kind = ShapeKind::torus,
-                           .material = material_named_in(table),
-                           .minor_radius = minor / major},
-                          glm::vec3(major));
-    }
-    case ShapeType::ellipsoid: {
-        table.allow({"type", "material", "position", "rotation", "scale", "radii"});
-        const glm::vec3 radii = table.color("radii", POSITIVE).value_or(glm::vec3(1.0f));
-        return add_placed(table, {.kind = ShapeKind::sphere, .material = material_named_in(table)},
-                          radii);
-    }
-    case ShapeType::mesh:
-        table.allow({"type", "material", "position", "rotation", "scale", "file", "positions",
-                     "triangles"});
-        if (table.text("file")) return add_mesh_file(table);
-        add_baked(inline_mesh(table, material_named_in(table)), placement(table));
+    const auto type = table.require("type", table.choice<keys::ShapeType>("type"));
+    table.allow(keys::keys_of_shape(type));
+    if (type == keys::ShapeType::mesh) return add_mesh(table);
+    const uint32_t material = material_named_in(table);
+    switch (type) {
+    case keys::ShapeType::sphere:
+        return add_sphere(table, material);
+    case keys::ShapeType::rectangle:
+        return add_rectangle(table, material);
+    case keys::ShapeType::box:
+        return add_box(table, material);
+    case keys::ShapeType::plane:
+        return add_plane(table, material);
+    case keys::ShapeType::disk:
+        return add_disk(table, material);
+    case keys::ShapeType::cylinder:
+        return add_round(table, ShapeKind::cylinder, material);
+    case keys::ShapeType::cone:
+        return add_round(table, ShapeKind::cone, material);
+    case keys::ShapeType::torus:
+        return add_torus(table, material);
+    case keys::ShapeType::ellipsoid:
+        return add_ellipsoid(table, material);
+    case keys::ShapeType::mesh:
+        break;
     }
 }
 
-/// Of the keys `strength`, the chapter's measure, and the radiometric one at least one is needed.
-struct Measures {
-    glm::vec3 strength{0.0f}, radiometric{0.0f};
-};
+/// Of the chapter's measure and the radiometric one at least one is needed.
+static void require_measure(const TableReader& table, const char* radiometric) {
+    if (!table.has("chapter_intensity") && !table.has(radiometric))
+        table.fail(radiometric, "is missing; add it, or chapter_intensity");
+}
 
-static Measures measures(const TableReader& table, const char* radiometric) {
-    if (!table.has("strength") && !table.has(radiometric))
-        table.fail(radiometric, "is missing; add it, or strength");
-    const glm::vec3 none(0.0f);
-    return {table.color("strength", NOT_NEGATIVE).value_or(none),
-            table.color(radiometric, NOT_NEGATIVE).value_or(none)};
+/// The chapter's intensity of a light without geometry, where its table states one.
+static void read_intensity(const TableReader& table, std::map<uint32_t, glm::vec3>& intensities,
+                           size_t light) {
+    keys::ChapterLight stated;
+    read_fields(table, stated);
+    if (table.has("chapter_intensity")) intensities[uint32_t(light)] = stated.intensity;
+}
+
+void TomlScene::add_point_light(const TableReader& table) {
+    require_measure(table, "intensity");
+    PointLight light{.intensity = glm::vec3(0.0f)};
+    read_fields(table, light);
+    read_intensity(table, scene_.chapter.point_intensities, scene_.point_lights.size());
+    scene_.point_lights.push_back(light);
+}
+
+void TomlScene::add_directional_light(const TableReader& table) {
+    const glm::dvec3 direction(table.require("direction", table.vector("direction")));
+    if (glm::length(direction) < 1e-30) table.fail("direction", "must not be zero");
+    require_measure(table, "irradiance");
+    DirectionalLight light{.to_light = glm::vec3(-glm::normalize(direction)),
+                           .irradiance = glm::vec3(0.0f)};
+    read_fields(table, light);
+    read_intensity(table, scene_.chapter.directional_intensities, scene_.directional_lights.size());
+    scene_.directional_lights.push_back(light);
 }
 
 /// A black material that emits the light's radiance.
 uint32_t TomlScene::emitter(const TableReader& table) {
+    require_measure(table, "radiance");
+    keys::Emission emission;
+    keys::Faces faces;
+    read_fields(table, emission);
+    read_fields(table, faces);
     Material material;
     material.name = "light";
     material.base_color = glm::vec3(0.0f);
-    material.emission = measures(table, "radiance").radiometric;
-    material.two_sided = table.boolean("two_sided").value_or(false);
+    material.emission = emission.radiance;
+    material.two_sided = faces.two_sided;
     scene_.materials.push_back(material);
     return uint32_t(scene_.materials.size() - 1);
 }
 
 void TomlScene::add_area_light(const TableReader& table, AreaLight light) {
-    light.strength = measures(table, "radiance").strength;
-    light.samples = table.integer("samples", 1, 64).value_or(light.samples);
+    read_fields(table, light);
     light.material = uint32_t(scene_.materials.size() - 1);
     light.two_sided = scene_.materials.back().two_sided;
-    scene_.area_lights.push_back(light);
+    scene_.chapter.area_lights.push_back(light);
 }
 
-enum class LightType { point, directional, rectangle, sphere, disk };
+void TomlScene::add_rectangle_light(const TableReader& table) {
+    add_rectangle(table, emitter(table));
+    const std::vector<glm::vec3>& corners = scene_.meshes.back().positions; // they go around
+    add_area_light(table, {.kind = AreaLightKind::rectangle,
+                           .position = corners[0],
+                           .edge1 = corners[1] - corners[0],
+                           .edge2 = corners[3] - corners[0]});
+}
 
-constexpr auto enum_words(LightType) {
-    return std::array{EnumWord{LightType::point, "point"},
-                      EnumWord{LightType::directional, "directional"},
-                      EnumWord{LightType::rectangle, "rectangle"},
-                      EnumWord{LightType::sphere, "sphere"}, EnumWord{LightType::disk, "disk"}};
+void TomlScene::add_disk_light(const TableReader& table) {
+    add_disk(table, emitter(table));
+    const glm::mat4& m = scene_.shapes.back().object_to_world;
+    const bool mirrored = glm::determinant(glm::mat3(m)) < 0.0f; // the front stays the front
+    add_area_light(table, {.kind = AreaLightKind::disk,
+                           .position = glm::vec3(m[3]),
+                           .edge1 = glm::vec3(m[mirrored ? 0 : 2]),
+                           .edge2 = glm::vec3(m[mirrored ? 2 : 0])});
+}
+
+void TomlScene::add_sphere_light(const TableReader& table) {
+    add_sphere(table, emitter(table));
+    const Sphere& sphere = scene_.spheres.back();
+    add_area_light(
+        table, {.kind = AreaLightKind::sphere, .position = sphere.center, .radius = sphere.radius});
 }
 
 void TomlScene::read_light(const TableReader& table) {
-    const LightType type = table.require("type", table.choice<LightType>("type"));
-    if (type == LightType::point) {
-        table.allow({"type", "position", "intensity", "strength"});
-        const Measures m = measures(table, "intensity");
-        scene_.point_lights.push_back(
-            {table.require("position", table.vector("position")), m.radiometric, m.strength});
-    } else if (type == LightType::directional) {
-        table.allow({"type", "direction", "irradiance", "strength"});
-        const glm::dvec3 direction(table.require("direction", table.vector("direction")));
-        if (glm::length(direction) < 1e-30) table.fail("direction", "must not be zero");
-        const Measures m = measures(table, "irradiance");
-        scene_.directional_lights.push_back(
-            {glm::vec3(-glm::normalize(direction)), m.radiometric, m.strength});
-    } else if (type == LightType::rectangle) {
-        table.allow({"type", "radiance", "strength", "samples", "two_sided", "position", "rotation",
-                     "scale", "size", "corner", "edge1", "edge2"});
-        add_rectangle(table, emitter(table));
-        const Mesh& mesh = scene_.meshes.back(); // its corners go around
-        AreaLight light;
-        light.position = mesh.positions[0];
-        light.edge1 = mesh.positions[1] - mesh.positions[0];
-        light.edge2 = mesh.positions[3] - mesh.positions[0];
-        add_area_light(table, light);
-    } else if (type == LightType::disk) {
-        table.allow({"type", "radiance", "strength", "samples", "two_sided", "position", "rotation",
-                     "scale", "radius"});
-        add_disk(table, emitter(table));
-        const glm::mat4& m = scene_.shapes.back().object_to_world;
-        AreaLight light;
-        light.kind = AreaLightKind::disk;
-        light.position = glm::vec3(m[3]);
-        const bool mirrored = glm::determinant(glm::mat3(m)) < 0.0f; // the front stays the front
-        light.edge1 = glm::vec3(m[mirrored ? 0 : 2]);
-        light.edge2 = glm::vec3(m[mirrored ? 2 : 0]);
-        add_area_light(table, light);
-    } else {
-        table.allow({"type", "radiance", "strength", "samples", "center", "radius"});
-        add_sphere(table, emitter(table));
-        AreaLight light;
-        light.kind = AreaLightKind::sphere;
-        light.position = scene_.spheres.back().center;
-        light.radius = scene_.spheres.back().radius;
-        add_area_light(table, light);
+    const auto type = table.require("type", table.choice<keys::LightType>("type"));
+    table.allow(keys::keys_of_light(type));
+    switch (type) {
+    case keys::LightType::point:
+        return add_point_light(table);
+    case keys::LightType::directional:
+        return add_directional_light(table);
+    case keys::LightType::rectangle:
+        return add_rectangle_light(table);
+    case keys::LightType::disk:
+        return add_disk_light(table);
+    case keys::LightType::sphere:
+        return add_sphere_light(table);
     }
 }
 
 static void keep_geometry(Scene& scene) {
     scene.point_lights.clear();
     scene.directional_lights.clear();
-    scene.area_lights.clear();
     scene.cameras.clear();
     scene.environment = {};
     scene.settings = {};
-    scene.whitted = {};
+    ChapterScene materials;
+    materials.phong = std::move(scene.chapter.phong);
+    scene.chapter = std::move(materials);
 }
 
 TomlScene::Part& TomlScene::part(const TableReader& table, std::string_view key,
@@ -340,8 +339,10 @@ void TomlScene::read_includes(const TableReader& root) {
         return;
     }
     for (const TableReader& table : root.tables("include")) {
-        table.allow({"file", "position", "rotation", "scale"});
-        const std::string file = table.require("file", table.text("file"));
+        table.allow(keys_of<keys::Include, keys::Placement>());
+        keys::Include include;
+        read_fields(table, include);
+        const std::string& file = include.file;
         place(table, "file", file, part(table, "file", file, false, -1), placement(table));
     }
 }

@@ -21,8 +21,8 @@ std::vector<MaterialRecord> pack_materials(const Scene& scene) {
     static_assert(uint32_t(MaterialKind::dielectric) == MATERIAL_DIELECTRIC);
     static_assert(uint32_t(MaterialKind::conductor) == MATERIAL_CONDUCTOR);
     std::vector<MaterialRecord> records;
-    for (const Material& material : scene.materials) {
-        const Material m = path_material(material);
+    for (uint32_t i = 0; i < scene.materials.size(); i++) {
+        const Material m = path_material(scene, i);
         MaterialRecord record{};
         record.kind = uint32_t(m.kind);
         record.two_sided = m.two_sided;

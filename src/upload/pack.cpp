@@ -41,9 +41,9 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.spheres = !scene.spheres.empty();
     features.shapes = !scene.shapes.empty();
     features.textures = !scene.textures.empty();
-    for (const Material& material : scene.materials) {
-        features.normal_maps |= material.normal_texture != NO_TEXTURE;
-        features.lobes |= lobes_of(path_material(material).kind);
+    for (uint32_t i = 0; i < scene.materials.size(); i++) {
+        features.normal_maps |= scene.materials[i].normal_texture != NO_TEXTURE;
+        features.lobes |= lobes_of(path_material(scene, i).kind);
     }
     for (const LightRecord& light : packed.lights) features.lights |= 1u << light.kind;
     features.environment = packed.environment_light != NO_INDEX;

@@ -34,7 +34,7 @@ TEST_CASE("--version is the version and --help lists the subcommands") {
     CHECK(output_of(folder, {"--version"}) == ONDE_VERSION "\n");
     const std::string help = output_of(folder, {"--help"});
     for (const char* command :
-         {"render", "info", "inspect", "gallery", "compare", "devices", "cache"})
+         {"render", "info", "reference", "inspect", "gallery", "compare", "devices", "cache"})
         CHECK_THAT(help, Catch::Contains(std::string("\n  ") + command));
 }
 
@@ -54,6 +54,13 @@ TEST_CASE("every subcommand has its own help") {
         command.push_back("--help");
         CHECK_THAT(output_of(folder, command), Catch::Contains(mentioned));
     }
+}
+
+TEST_CASE("reference prints the keys of scene files as tables") {
+    const Folder folder;
+    const std::string text = output_of(folder, {"reference"});
+    CHECK_THAT(text, Catch::Contains("<!-- table material -->\n| key | value | default |\n"));
+    CHECK_THAT(text, Catch::Contains("| `\"torus\"` |"));
 }
 
 TEST_CASE("inspect tells what happened to a pixel, in words and as a graph") {
@@ -119,6 +126,11 @@ TEST_CASE("info counts what is in a scene and plans the device's memory") {
     CHECK(json.at("spheres") == 1);
     CHECK(json.at("materials").at("dielectric") == 1);
     CHECK(json.at("notes").empty());
+    CHECK_THAT(text, Catch::Contains("\nsamples       256\n"));
+    CHECK(json.at("settings").at("samples") == 256);
+    CHECK(json.at("settings").at("filter").is_null());
+    CHECK(json.at("cameras").at(0).at("vertical_fov") == Approx(38));
+    CHECK(json.at("cameras").at(0).at("screen").is_null());
     const auto& memory = json.at("device_memory");
     CHECK(memory.at("film").at("film sums") == 512 * 512 * 16);
     uint64_t sum = 0;

@@ -103,10 +103,10 @@ TEST_CASE("under water the sky is a disk as wide as the critical angle, and the 
     Scene scene;
     scene.materials.resize(2);
     scene.materials[0].ior = 1.33f;
-    scene.materials[0].phong = {.ambient = 0, .diffuse = 0, .transmission = 0.9f};
+    scene.chapter.phong[0] = {.ambient = 0, .diffuse = 0, .transmission = 0.9f};
     scene.materials[1].base_color = glm::vec3(0.25f);
-    scene.whitted.ambient = glm::vec3(1);
-    scene.whitted.background = glm::vec3(0.5f);
+    scene.chapter.whitted.ambient = glm::vec3(1);
+    scene.chapter.whitted.background = glm::vec3(0.5f);
     add_square(scene, 0, 0);
     add_square(scene, -1, 1);
     Camera camera; // looks straight up from below the surface
@@ -129,9 +129,10 @@ TEST_CASE("light that falls on a surface is what the formula says, behind a pane
     Scene scene;
     scene.materials.resize(2);
     scene.materials[0].base_color = {0.5f, 0.25f, 1};
-    scene.materials[0].phong = {.ambient = 0, .diffuse = 0.75f, .specular = 0.5f, .exponent = 2};
-    scene.materials[1].phong.transmission = 0.5f;
-    scene.point_lights = {{.position = {0, 3, 3}, .strength = glm::vec3(0.5f)}};
+    scene.chapter.phong[0] = {.ambient = 0, .diffuse = 0.75f, .specular = 0.5f, .exponent = 2};
+    scene.chapter.phong[1].transmission = 0.5f;
+    scene.point_lights = {{.position = {0, 3, 3}}};
+    scene.chapter.point_intensities[0] = glm::vec3(0.5f);
     Camera camera; // looks down at the origin from (0, 2, 0)
     camera.camera_to_world = glm::mat4({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 2, 0, 1});
     scene.cameras = {camera};

@@ -100,7 +100,7 @@ TEST_CASE("triangles that share an edge leave no gap") {
     size_t gaps = 0;
     for (uint32_t y = 0; y < image.height; y++)
         for (uint32_t x = 0; x < image.width; x++)
-            gaps += color_at(image, x, y) == *scene.whitted.background;
+            gaps += color_at(image, x, y) == *scene.chapter.whitted.background;
     CHECK(gaps == 0);
 }
 
@@ -130,12 +130,13 @@ TEST_CASE("inside a ball its far half is seen") {
 
 TEST_CASE("a scene without anything shows the background") {
     Scene scene = empty_raster_scene();
-    CHECK(color_at(draw_depth(scene, DepthAtomics::narrow), 3, 4) == *scene.whitted.background);
+    CHECK(color_at(draw_depth(scene, DepthAtomics::narrow), 3, 4) ==
+          *scene.chapter.whitted.background);
 }
 
 TEST_CASE("a pixel is the mean of its samples") {
     Scene scene = empty_raster_scene();
-    scene.whitted.background = glm::vec3(0);
+    scene.chapter.whitted.background = glm::vec3(0);
     const uint32_t white = add_color(scene);
     scene.materials[white].base_color = glm::vec3(1);
     add_card(scene, {-9, -9}, {0.0125f, 9}, 0, white); // ends a quarter into pixel 48
@@ -193,7 +194,7 @@ TEST_CASE("a perspective camera sees as much at the scene's centre, and says so"
 
 TEST_CASE("without a background of its own a scene shows what its environment has ahead") {
     Scene scene = empty_raster_scene();
-    scene.whitted.background.reset();
+    scene.chapter.whitted.background.reset();
     scene.environment.radiance = glm::vec3(0.5f, 1, 2);
     CHECK(color_at(draw_depth(scene, DepthAtomics::narrow), 9, 9) == glm::vec3(0.5f, 1, 2));
     Image map(4, 2, 3);
@@ -214,7 +215,7 @@ TEST_CASE("a scene that reaches too far for exact arithmetic is refused with its
     CHECK(pack_raster(scene, scene.cameras[0], small_options(96, 80, 1)).record.subpixels == 16);
     const Image image = draw_depth(scene, DepthAtomics::narrow);
     CHECK(color_at(image, 60, 20) == scene.materials[0].base_color);
-    CHECK(color_at(image, 40, 20) == *scene.whitted.background);
+    CHECK(color_at(image, 40, 20) == *scene.chapter.whitted.background);
 }
 
 TEST_CASE("a render that is stopped keeps whole samples only") {
@@ -277,7 +278,7 @@ TEST_CASE("shapes lie in the picture where they are placed") {
     size_t covered = 0, different = 0;
     for (uint32_t y = 0; y < a.height; y++)
         for (uint32_t x = 0; x < a.width; x++) {
-            covered += color_at(b, x, y) != *scene.whitted.background;
+            covered += color_at(b, x, y) != *scene.chapter.whitted.background;
             different += color_at(a, x, y) != color_at(b, x, y);
         }
     CHECK(covered > 1000);

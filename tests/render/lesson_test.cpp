@@ -36,18 +36,19 @@ TEST_CASE("every chapter scene has a lesson, and its picture shows each number t
     for (const auto& path : chapter_scenes()) {
         Scene scene = load_scene(path);
         INFO(path.filename().string());
-        REQUIRE(scene.lesson);
-        CHECK_FALSE(scene.lesson->title.empty());
-        CHECK_FALSE(scene.lesson->formulas.empty());
-        CHECK_FALSE(scene.lesson->says.empty());
-        if (scene.lesson->expectations.empty()) continue;
+        REQUIRE(scene.chapter.lesson);
+        CHECK_FALSE(scene.chapter.lesson->title.empty());
+        CHECK_FALSE(scene.chapter.lesson->formulas.empty());
+        CHECK_FALSE(scene.chapter.lesson->says.empty());
+        if (scene.chapter.lesson->expectations.empty()) continue;
         pictures[path.filename()] = render_lesson(scene);
         scenes[path.filename()] = std::move(scene);
     }
     CHECK(pictures.size() >= 19);
     const auto other = [&](const std::string& name) { return &pictures.at(name); };
     for (const auto& [name, scene] : scenes)
-        for (const LessonCheck& check : check_lesson(*scene.lesson, pictures.at(name), other)) {
+        for (const LessonCheck& check :
+             check_lesson(*scene.chapter.lesson, pictures.at(name), other)) {
             INFO(name << ", " << check.where << ": expected " << check.expected << ", measured "
                       << check.measured);
             CHECK(check.holds);

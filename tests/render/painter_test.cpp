@@ -24,7 +24,7 @@ Painting paint(const Scene& scene,
 
 void make_translucent(Scene& scene, uint32_t material, float transmission) {
     scene.materials[material].kind = MaterialKind::phong;
-    scene.materials[material].phong.transmission = transmission;
+    scene.chapter.phong[material].transmission = transmission;
 }
 
 Scene chapter_scene(const char* name) {
@@ -82,7 +82,7 @@ TEST_CASE("opaque cards and balls in layers: painter and depth buffer make the s
 
 TEST_CASE("sheets blend by over, the nearest last, and every one of them is counted") {
     Scene scene = empty_raster_scene();
-    glm::dvec3 expected(*scene.whitted.background);
+    glm::dvec3 expected(*scene.chapter.whitted.background);
     constexpr int SHEETS = 9;
     for (int i = 0; i < SHEETS; i++) {
         const uint32_t material = add_color(scene);
@@ -129,8 +129,8 @@ TEST_CASE("both halves of a translucent ball are blended") {
     make_translucent(scene, material, 0.25f);
     scene.spheres = {{{0, 0, 0}, 1, material}};
     const Painting painting = paint(scene);
-    const glm::vec3 expected =
-        0.9375f * scene.materials[material].base_color + 0.0625f * *scene.whitted.background;
+    const glm::vec3 expected = 0.9375f * scene.materials[material].base_color +
+                               0.0625f * *scene.chapter.whitted.background;
     CHECK(glm::length(color_at(painting.image, 48, 40) - expected) < 1e-6f);
     CHECK(painting.counts.fragments == 2 * painting.counts.covered);
     CHECK(std::abs(double(painting.counts.covered) - M_PI * 20 * 20) < 30);

@@ -35,7 +35,7 @@ class PixelCheck {
             doubtful_ |= fragments_[1].depth - fragments_[0].depth < 1e-5 &&
                          fragments_[1].material != fragments_[0].material;
         if (doubtful_) return std::nullopt;
-        if (fragments_.empty()) return *scene_.whitted.background;
+        if (fragments_.empty()) return *scene_.chapter.whitted.background;
         return scene_.materials[fragments_[0].material].base_color;
     }
 

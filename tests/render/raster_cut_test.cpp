@@ -35,9 +35,9 @@ TEST_CASE("work that is cut as for a GPU makes the same bits") {
     const gpu::Device device = device_as_gpu();
     gpu::Programs other(device, kernel_sources(), test_cache());
     Scene scene = random_raster_scene(9);
-    for (size_t i = 0; i < scene.materials.size(); i += 2) {
+    for (uint32_t i = 0; i < scene.materials.size(); i += 2) {
         scene.materials[i].kind = MaterialKind::phong;
-        scene.materials[i].phong.transmission = 0.4f;
+        scene.chapter.phong[i].transmission = 0.4f;
     }
     for (IntegratorKind kind : {IntegratorKind::depth_buffer, IntegratorKind::painter})
         CHECK(first_pixel_difference(draw_on(other, scene, kind),

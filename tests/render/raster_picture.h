@@ -19,7 +19,7 @@ inline Camera front_camera(float height = 4) {
 inline Scene empty_raster_scene() {
     Scene scene;
     scene.cameras = {front_camera()};
-    scene.whitted.background = glm::vec3(0.125f, 0.25f, 0.5f);
+    scene.chapter.whitted.background = glm::vec3(0.125f, 0.25f, 0.5f);
     scene.environment.radiance = glm::vec3(1);
     return scene;
 }

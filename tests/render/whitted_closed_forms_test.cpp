@@ -13,7 +13,7 @@ uint32_t add_material(Scene& scene, Phong phong, glm::vec3 color = glm::vec3(1.0
     material.kind = MaterialKind::phong;
     material.base_color = color;
     material.ior = ior;
-    material.phong = phong;
+    scene.chapter.phong[uint32_t(scene.materials.size())] = phong;
     scene.materials.push_back(material);
     return uint32_t(scene.materials.size() - 1);
 }
@@ -39,8 +39,8 @@ Phong black() {
 /// A scene with ambient light 1, so that the colour of a glowing() surface is seen as it is.
 Scene lit_by_ambience() {
     Scene scene;
-    scene.whitted.ambient = glm::vec3(1.0f);
-    scene.whitted.background = glm::vec3(0.0f);
+    scene.chapter.whitted.ambient = glm::vec3(1.0f);
+    scene.chapter.whitted.background = glm::vec3(0.0f);
     return scene;
 }
 
@@ -75,12 +75,13 @@ double edge_position(const Image& image, uint32_t row) {
 TEST_CASE("the parts of Phong's formula have their closed forms") {
     // A floor seen straight from above by parallel rays, lit by a point at height 1.
     Scene scene;
-    scene.whitted.background = glm::vec3(0.0f);
-    scene.whitted.ambient = glm::vec3(0.125f);
+    scene.chapter.whitted.background = glm::vec3(0.0f);
+    scene.chapter.whitted.ambient = glm::vec3(0.125f);
     const Phong phong{.ambient = 1, .diffuse = 0.5f, .specular = 0.25f, .exponent = 5};
     add_rectangle(scene, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0},
                   add_material(scene, phong, {0.5f, 1, 0.25f}));
-    scene.point_lights.push_back({{0, 0, 1}, {}, glm::vec3(0.5f)});
+    scene.point_lights.push_back({{0, 0, 1}, {}});
+    scene.chapter.point_intensities[0] = glm::vec3(0.5f);
     scene.cameras.push_back(parallel_rays(3.0f, 5.0f));
     const Image image = whitted(scene, options_of(65, 65));
     for (uint32_t y = 0; y < 65; y++)
@@ -99,8 +100,8 @@ TEST_CASE("a penumbra behind a half-plane is the visible share of the source") {
     // A floor at z = 0, a half-plane x < 0 at z = 1, a source of side 1 at z = 2: the floor's point
     // x sees the source's points above 2 * 0 - x, a share of clamp(1/2 + x, 0, 1).
     Scene scene;
-    scene.whitted.background = glm::vec3(0.0f);
-    scene.whitted.ambient = glm::vec3(0.0f);
+    scene.chapter.whitted.background = glm::vec3(0.0f);
+    scene.chapter.whitted.ambient = glm::vec3(0.0f);
     const Phong floor{.ambient = 0, .diffuse = 0, .specular = 1, .exponent = 0}; // no cosine
     add_rectangle(scene, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, add_material(scene, floor));
     const uint32_t dark = add_material(scene, black());
@@ -111,8 +112,8 @@ TEST_CASE("a penumbra behind a half-plane is the visible share of the source") {
     light.edge2 = {1, 0, 0}; // shines toward -Z
     light.samples = 64;
     light.material = dark;
-    light.strength = glm::vec3(1.0f);
-    scene.area_lights.push_back(light);
+    light.intensity = glm::vec3(1.0f);
+    scene.chapter.area_lights.push_back(light);
     // From below the half-plane: an oblique view of the floor by parallel rays is not needed, since
     // the camera may stand between floor and half-plane.
     scene.cameras.push_back(parallel_rays(1.5f, 0.5f));
@@ -133,7 +134,8 @@ TEST_CASE("a chain of mirrors has the product of their factors, in both conventi
     // glowing wall.
     for (const bool by_source : {false, true}) {
         Scene scene = lit_by_ambience();
-        scene.whitted.source_reflectivity = by_source;
+        scene.chapter.whitted.reflectivity =
+            by_source ? Reflectivity::source : Reflectivity::surface;
         const float factors[] = {0.5f, 0.75f, 0.875f};
         const auto mirror = [&](glm::vec3 center, glm::vec3 tilt, float factor) {
             Phong phong = black();
@@ -162,7 +164,7 @@ TEST_CASE("a chain of mirrors has the product of their factors, in both conventi
 TEST_CASE("facing mirrors stop at the predicted bounce, by depth and by epsilon") {
     // Between two mirrors of factor 1/2 that glow with 1/4: n surfaces give 1/4 (1 + 1/2 + ...).
     Scene scene = lit_by_ambience();
-    scene.whitted.saturate = false;
+    scene.chapter.whitted.saturate = false;
     Phong mirror = glowing();
     mirror.reflection = 0.5f;
     const uint32_t material = add_material(scene, mirror, glm::vec3(0.25f));
@@ -177,18 +179,18 @@ TEST_CASE("facing mirrors stop at the predicted bounce, by depth and by epsilon"
     }
     // Products 1, 1/2, 1/4, ... are followed while they are above epsilon.
     for (const int stop : {1, 3, 10}) {
-        scene.whitted.epsilon = std::exp2(-float(stop));
+        scene.chapter.whitted.epsilon = std::exp2(-float(stop));
         RenderOptions options = options_of(4, 4);
         options.depth = 100;
         CHECK(whitted(scene, options).pixels[0] == sum(stop));
-        scene.whitted.epsilon = std::nextafter(scene.whitted.epsilon, 0.0f);
+        scene.chapter.whitted.epsilon = std::nextafter(scene.chapter.whitted.epsilon, 0.0f);
         CHECK(whitted(scene, options).pixels[0] == sum(stop + 1));
     }
 }
 
 TEST_CASE("indirect light may fall off with the squared distance") {
     Scene scene = lit_by_ambience();
-    scene.whitted.distance_falloff = true;
+    scene.chapter.whitted.distance_falloff = true;
     Phong mirror = black();
     mirror.reflection = 1;
     add_rectangle(scene, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, add_material(scene, mirror));
@@ -199,8 +201,8 @@ TEST_CASE("indirect light may fall off with the squared distance") {
 
 TEST_CASE("a translucent surface dims a shadow by its factor and does not bend it") {
     Scene scene;
-    scene.whitted.background = glm::vec3(0.0f);
-    scene.whitted.ambient = glm::vec3(0.0f);
+    scene.chapter.whitted.background = glm::vec3(0.0f);
+    scene.chapter.whitted.ambient = glm::vec3(0.0f);
     const Phong floor{.ambient = 0, .diffuse = 1, .specular = 0};
     add_rectangle(scene, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, add_material(scene, floor));
     Phong pane = black();
@@ -208,7 +210,8 @@ TEST_CASE("a translucent surface dims a shadow by its factor and does not bend i
     const uint32_t glass = add_material(scene, pane, glm::vec3(1.0f), 2.0f);
     for (const float z : {2.0f, 3.0f})
         add_rectangle(scene, {0, -2, z}, {2, 0, 0}, {0, 4, 0}, glass);
-    scene.directional_lights.push_back({{0, 0, 1}, {}, glm::vec3(1.0f)});
+    scene.directional_lights.push_back({{0, 0, 1}, {}});
+    scene.chapter.directional_intensities[0] = glm::vec3(1.0f);
     scene.cameras.push_back(parallel_rays(2.0f, 1.0f));
     const Image image = whitted(scene, options_of(8, 8));
     CHECK(image.pixel(1, 4)[0] == Approx(1.0f).epsilon(1e-6));

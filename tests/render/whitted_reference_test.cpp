@@ -21,9 +21,11 @@ std::vector<std::filesystem::path> chapter_scenes() {
     return scenes;
 }
 
-Material& first_glass(Scene& scene) {
-    return *std::ranges::find_if(scene.materials,
-                                 [](const Material& m) { return m.phong.transmission > 0; });
+/// What is stated of the first material that light comes through.
+Phong& first_glass(Scene& scene) {
+    return std::ranges::find_if(scene.chapter.phong,
+                                [](const auto& stated) { return stated.second.transmission > 0; })
+        ->second;
 }
 
 void compare(const std::string& name, const Scene& scene, glm::uvec2 size, uint32_t samples,
@@ -63,16 +65,16 @@ TEST_CASE("scenes with every light and shape equal the recursion, sample by samp
 
 TEST_CASE("every setting of the chapter's recursion equals it") {
     Scene scene = load_scene(scene_folder() / "chapter/five-objects.toml");
-    Material& glass = first_glass(scene);
+    Phong& glass = first_glass(scene);
     const auto check = [&](const char* name) { compare(name, scene, {128, 128}, 2, 8); };
-    WhittedSettings& whitted = scene.whitted;
+    WhittedSettings& whitted = scene.chapter.whitted;
     whitted.saturate = false;
     check("plain sums");
-    whitted.source_reflectivity = true;
+    whitted.reflectivity = Reflectivity::source;
     check("factors at the source");
     whitted.fresnel = true;
     check("Fresnel and factors at the source");
-    whitted.source_reflectivity = false;
+    whitted.reflectivity = Reflectivity::surface;
     check("Fresnel");
     whitted.distance_falloff = whitted.saturate = true; // else contacts shine without bound
     check("divided by the squared distance");
@@ -80,7 +82,7 @@ TEST_CASE("every setting of the chapter's recursion equals it") {
     whitted.epsilon = 0.2f;
     check("stopped by epsilon");
     whitted.epsilon = 0;
-    glass.phong.abbe = 20;
+    glass.abbe = 20;
     check("dispersion");
     whitted.wavelengths = 16;
     check("dispersion into 16 wavelengths");

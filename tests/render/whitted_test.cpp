@@ -13,8 +13,7 @@ namespace {
 Scene with_unused_dispersive_glass(Scene scene) {
     Material glass;
     glass.kind = MaterialKind::phong;
-    glass.phong.transmission = 1.0f;
-    glass.phong.abbe = 30.0f;
+    scene.chapter.phong[uint32_t(scene.materials.size())] = {.transmission = 1.0f, .abbe = 30.0f};
     scene.materials.push_back(glass);
     const PackedWhitted packed = pack_whitted(scene, 1);
     REQUIRE((packed.translucent && packed.dispersive));

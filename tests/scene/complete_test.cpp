@@ -150,7 +150,7 @@ TEST_CASE("the scene hash follows what can change a pixel and nothing else") {
     others[6].point_lights.emplace_back();
     others[7].materials[0].two_sided = false;
     others[8].environment.map = Image(1, 1, 3);
-    others[9].whitted.epsilon = 0.5f;
+    others[9].chapter.whitted.epsilon = 0.5f;
     for (size_t i = 0; i < others.size(); ++i) {
         INFO("change " << i);
         CHECK(scene_hash(others[i]) != hash);
@@ -217,7 +217,17 @@ TEST_CASE("the check refuses every broken rule of a scene") {
         {"camera 0", [](Scene& s, float) { s.cameras.emplace_back().vertical_fov = 4; }},
         {"camera 0", [](Scene& s, float) { s.cameras.emplace_back().focus_distance = 0; }},
         {"camera 0", [](Scene& s, float) { s.cameras.emplace_back().camera_to_world *= 2.0f; }},
-        {"film", [](Scene& s, float) { s.settings.width = 0; }},
+        {"settings: their width", [](Scene& s, float) { s.settings.width = 0; }},
+        {"camera 0: its screen",
+         [](Scene& s, float) {
+             s.cameras.emplace_back().screen =
+                 ScreenWindow{.size = glm::vec2(1, 0), .first_pixel = {}};
+         }},
+        {"whitted: its wavelengths", [](Scene& s, float) { s.chapter.whitted.wavelengths = 2; }},
+        {"material 0: its exponent", [](Scene& s, float) { s.chapter.phong[0].exponent = -1; }},
+        {"material 1", [](Scene& s, float) { s.chapter.phong[1] = {}; }},
+        {"area light 0: its samples",
+         [](Scene& s, float) { s.chapter.area_lights.emplace_back().samples = 0; }},
     };
     for (size_t i = 0; i < std::size(cases); ++i) {
         INFO("case " << i);

@@ -1,4 +1,5 @@
 #include "scene/load.h"
+#include "scene/phong.h"
 #include "scratch.h"
 
 #include <cmath>
@@ -172,7 +173,7 @@ TEST_CASE("untextured transmission above one half becomes glass with its index o
                                 "KHR_materials_ior": {"ior": 1.33}}}])"));
     CHECK(scene.materials[0].kind == MaterialKind::dielectric);
     CHECK(scene.materials[0].ior == Approx(1.33f));
-    CHECK(scene.materials[0].phong.transmission == 1); // see phong_of()
+    CHECK(phong_of(scene, 0).transmission == 1);
     CHECK(has_note(scene, "glass"));
 }
 

@@ -42,8 +42,8 @@ unlike = "b.toml"
 pixels = 0
 because = "alike"
 )"));
-    REQUIRE(scene.lesson);
-    const Lesson& lesson = *scene.lesson;
+    REQUIRE(scene.chapter.lesson);
+    const Lesson& lesson = *scene.chapter.lesson;
     CHECK(lesson.title == "Shadows");
     CHECK(lesson.section == "2.4");
     CHECK(lesson.formulas == std::vector<std::string>{"a^2", "b_1"});
@@ -65,7 +65,8 @@ because = "alike"
 TEST_CASE("the lesson of an included scene stays with that scene") {
     const ScratchFolder folder;
     folder.write("inner.toml", LESSON);
-    CHECK_FALSE(load_scene(folder.write("outer.toml", "include = [\"inner.toml\"]\n")).lesson);
+    CHECK_FALSE(
+        load_scene(folder.write("outer.toml", "include = [\"inner.toml\"]\n")).chapter.lesson);
 }
 
 TEST_CASE("a lesson with a mistake is refused with its place and the remedy") {

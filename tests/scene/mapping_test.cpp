@@ -19,7 +19,7 @@ const std::string CHAPTER = SPHERE + R"(
 [[light]]
 type = "point"
 position = [0, 5, 0]
-strength = 1
+chapter_intensity = 1
 [[material]]
 name = "m"
 kind = "phong"
@@ -65,7 +65,7 @@ TEST_CASE("path and light tracing say how they take the chapter's materials and 
         const auto said = notes(CHAPTER, kind);
         REQUIRE(said.size() == 3);
         CHECK_THAT(said[0], Catch::Contains("1 diffuse, 1 dielectric"));
-        CHECK_THAT(said[1], Catch::StartsWith("1 lights have only the chapter's strength"));
+        CHECK_THAT(said[1], Catch::StartsWith("1 lights have only the chapter's intensity"));
         CHECK_THAT(said[2], Catch::Contains("[whitted] were left out"));
     }
 }

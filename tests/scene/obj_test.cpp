@@ -1,4 +1,5 @@
 #include "scene/load.h"
+#include "scene/phong.h"
 #include "scratch.h"
 
 using namespace onde;
@@ -83,7 +84,7 @@ TEST_CASE("MTL materials map to ours") {
     CHECK(glass.kind == MaterialKind::dielectric);
     CHECK(glass.ior == Approx(1.4f));
     CHECK(glass.base_color == glm::vec3(1, 0.5f, 0.5f));
-    CHECK(glass.phong.transmission == 1); // see phong_of()
+    CHECK(phong_of(glass).transmission == 1);
     const Material metal = material_of("newmtl a\nKd 1 1 1\nPr 0.25\nPm 1\n");
     CHECK(metal.kind == MaterialKind::metallic_roughness);
     CHECK(metal.roughness == 0.25f);

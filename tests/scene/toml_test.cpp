@@ -213,13 +213,13 @@ TEST_CASE("[whitted] of an included scene is taken where the scene has none, els
         });
     };
     const Scene bare = load_scene(folder.write("bare.toml", two));
-    CHECK(bare.whitted.ambient == glm::vec3(0.25f));
-    CHECK(bare.whitted.wavelengths == 5);
+    CHECK(bare.chapter.whitted.ambient == glm::vec3(0.25f));
+    CHECK(bare.chapter.whitted.wavelengths == 5);
     CHECK(left_out(bare) == 0);
     const Scene own = load_scene(folder.write("own.toml", two + "[whitted]\nepsilon = 0.5\n"));
-    CHECK(own.whitted.epsilon == 0.5f);
-    CHECK_FALSE(own.whitted.ambient);
-    CHECK(own.whitted.wavelengths == 7);
+    CHECK(own.chapter.whitted.epsilon == 0.5f);
+    CHECK_FALSE(own.chapter.whitted.ambient);
+    CHECK(own.chapter.whitted.wavelengths == 7);
     CHECK(left_out(own) == 1);
 }
 
@@ -245,8 +245,8 @@ TEST_CASE("shapes are placed with their radii; stretched spheres become ellipsoi
     CHECK(near(at(3, {0, 1, 0}), glm::vec3(0, 2, 0)));
     CHECK(scene.shapes[5].kind == ShapeKind::sphere);
     CHECK(near(at(5, {0, 1, 0}), glm::vec3(1, 6, 0)));
-    REQUIRE(scene.area_lights.size() == 1);
-    const AreaLight& light = scene.area_lights[0];
+    REQUIRE(scene.chapter.area_lights.size() == 1);
+    const AreaLight& light = scene.chapter.area_lights[0];
     CHECK(light.kind == AreaLightKind::disk);
     CHECK(glm::cross(light.edge1, light.edge2).y == Approx(4.0f)); // as the shape's front
     CHECK(scene.materials[scene.shapes[4].material].emission == glm::vec3(3));

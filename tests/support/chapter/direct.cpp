@@ -1,4 +1,5 @@
 // The light that a point gets straight from the sources.
+#include "scene/phong.h"
 #include "support/chapter/eye.h"
 #include "support/chapter/ray_history.h"
 
@@ -9,16 +10,15 @@ namespace onde::chapter {
 using glm::dvec2;
 using glm::dvec3;
 
-/// The light that a source of strength 1 in that direction sends back to the viewer, over Co.
+/// The light that a source of intensity 1 in that direction sends back to the viewer, over Co.
 dvec3 Tracer::lit(const Surface& at, const dvec3& view, const dvec3& to_sample, double reach,
                   const RayHistory& way) const {
-    const Phong& phong = scene_.materials[at.material].phong;
+    const Phong phong = phong_of(scene_, at.material);
     const double facing = glm::dot(to_sample, at.normal);
     way.mark(facing > 0);
     if (facing <= 0) return dvec3(0);
     uint32_t crossings = 0;
-    const double left =
-        world_.transmitted({at.point, to_sample}, reach, scene_.materials, crossings);
+    const double left = world_.transmitted({at.point, to_sample}, reach, scene_, crossings);
     way.mark(left > 0 ? crossings : 1000);
     const double highlight = std::max(glm::dot(mirror(to_sample, at.normal), view), 0.0);
     return dvec3(left * (double(phong.diffuse) * facing +
@@ -69,20 +69,24 @@ dvec3 Tracer::lit_by(const AreaLight& light, const Surface& at, const dvec3& vie
 dvec3 Tracer::direct(const Surface& at, const dvec3& view, const RayHistory& way) const {
     const Material& material = scene_.materials[at.material];
     const dvec3 own(material.base_color);
-    const dvec3 ambient(scene_.whitted.ambient.value_or(scene_.environment.radiance));
-    dvec3 total = double(material.phong.ambient) * ambient * own;
-    const auto add = [&](const glm::vec3& strength, const dvec3& received) {
-        total = sum(total, dvec3(strength) * own * received);
+    const dvec3 ambient(scene_.chapter.whitted.ambient.value_or(scene_.environment.radiance));
+    dvec3 total = double(phong_of(scene_, at.material).ambient) * ambient * own;
+    const auto add = [&](const glm::vec3& intensity, const dvec3& received) {
+        total = sum(total, dvec3(intensity) * own * received);
     };
-    for (const PointLight& light : scene_.point_lights) {
-        const dvec3 way_there = dvec3(light.position) - at.point;
+    for (uint32_t i = 0; i < scene_.point_lights.size(); ++i) {
+        const dvec3 way_there = dvec3(scene_.point_lights[i].position) - at.point;
         const double distance = glm::length(way_there);
-        add(light.strength, lit(at, view, way_there / distance, distance * (1 - 1e-4), way));
+        add(point_intensity(scene_, i),
+            lit(at, view, way_there / distance, distance * (1 - 1e-4), way));
     }
-    for (const DirectionalLight& light : scene_.directional_lights)
-        add(light.strength, lit(at, view, glm::normalize(dvec3(light.to_light)), INFINITY, way));
-    for (const AreaLight& light : scene_.area_lights)
-        add(light.strength, lit_by(light, at, view, way));
+    for (uint32_t i = 0; i < scene_.directional_lights.size(); ++i) {
+        const dvec3 to_light(scene_.directional_lights[i].to_light);
+        add(directional_intensity(scene_, i),
+            lit(at, view, glm::normalize(to_light), INFINITY, way));
+    }
+    for (const AreaLight& light : scene_.chapter.area_lights)
+        add(light.intensity, lit_by(light, at, view, way));
     return total;
 }
 

@@ -1,5 +1,6 @@
 #include "support/chapter/trace.h"
 
+#include "scene/phong.h"
 #include "support/chapter/eye.h"
 #include "support/chapter/ray_history.h"
 
@@ -46,38 +47,39 @@ struct Tracer::Step {
 
 Tracer::Tracer(const Scene& scene, uint32_t depth)
     : scene_(scene), world_(scene), depth_(depth),
-      wavelengths_(split_white(scene.whitted.wavelengths)) {
+      wavelengths_(split_white(scene.chapter.whitted.wavelengths)) {
     if (!scene.textures.empty()) throw std::invalid_argument("textures");
     if (scene.environment.map) throw std::invalid_argument("an environment map");
 }
 
 dvec3 Tracer::background() const {
-    return dvec3(scene_.whitted.background.value_or(scene_.environment.radiance));
+    return dvec3(scene_.chapter.whitted.background.value_or(scene_.environment.radiance));
 }
 
 dvec3 Tracer::sum(const dvec3& a, const dvec3& b) const {
-    return scene_.whitted.saturate ? glm::min(a + b, 1.0) : a + b;
+    return scene_.chapter.whitted.saturate ? glm::min(a + b, 1.0) : a + b;
 }
 
 std::vector<Tracer::Step> Tracer::steps(const Surface& at, const dvec3& view,
                                         const RayHistory& way) const {
     const Material& material = scene_.materials[at.material];
-    const Phong& phong = material.phong;
+    const Phong phong = phong_of(scene_, at.material);
     const double reflection = double(phong.reflection);
     double transmission = double(phong.transmission);
     const bool transparent = transmission > 0;
     const auto eta = [&](double index) { return at.front ? 1 / index : index; };
     const double index = double(material.ior);
     double mirrored = 0; // what Fresnel's formula takes from the transmitted ray
-    if (scene_.whitted.fresnel && transparent) {
+    if (scene_.chapter.whitted.fresnel && transparent) {
         const double share = fresnel(glm::dot(at.normal, view), eta(index));
         mirrored = transmission * share;
         transmission *= 1 - share;
     }
     const dvec3 reflected = mirror(view, at.normal);
     std::vector<Step> result;
-    if (scene_.whitted.source_reflectivity)
-        result.push_back({reflected, dvec3(scene_.whitted.fresnel && transparent ? mirrored : 1.0),
+    if (scene_.chapter.whitted.reflectivity == Reflectivity::source)
+        result.push_back({reflected,
+                          dvec3(scene_.chapter.whitted.fresnel && transparent ? mirrored : 1.0),
                           way.wavelength, true});
     else
         result.push_back({reflected, dvec3(std::min(reflection + mirrored, 1.0)), way.wavelength});
@@ -103,12 +105,12 @@ std::vector<Tracer::Step> Tracer::steps(const Surface& at, const dvec3& view,
 dvec3 Tracer::child(const Step& step, const Surface& from, const RayHistory& way) const {
     const Ray ray{from.point, step.direction};
     dvec3 factor = step.factor;
-    const double epsilon = double(scene_.whitted.epsilon);
+    const double epsilon = double(scene_.chapter.whitted.epsilon);
     if (largest(way.product * factor) <= epsilon) return dvec3(0);
     const auto hit = world_.nearest(ray);
     way.mark(hit ? hit->primitive : 0);
     if (step.at_source && hit) {
-        factor *= double(scene_.materials[hit->material].phong.reflection);
+        factor *= double(phong_of(scene_, hit->material).reflection);
         const bool counts = largest(way.product * factor) > epsilon;
         way.mark(counts);
         if (!counts) return dvec3(0);
@@ -116,7 +118,7 @@ dvec3 Tracer::child(const Step& step, const Surface& from, const RayHistory& way
     if (!hit) return factor * background();
     const RayHistory further{way.depth + 1, way.product * factor, step.wavelength, way.sample,
                              way.structure};
-    const double falloff = scene_.whitted.distance_falloff ? hit->t * hit->t : 1;
+    const double falloff = scene_.chapter.whitted.distance_falloff ? hit->t * hit->t : 1;
     return factor * colour(*hit, ray, further) / falloff;
 }
 

@@ -1,5 +1,7 @@
 #include "support/chapter/world.h"
 
+#include "scene/phong.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -102,13 +104,13 @@ std::optional<Surface> World::nearest(const Ray& ray) const {
     return best;
 }
 
-double World::transmitted(const Ray& ray, double distance, const std::vector<Material>& materials,
+double World::transmitted(const Ray& ray, double distance, const Scene& scene,
                           uint32_t& crossings) const {
     double left = 1;
     crossings = 0;
     visit_crossings(ray, clearance(ray.origin), distance,
                     [&](const Crossing&, uint32_t material, uint32_t) {
-                        left *= double(materials[material].phong.transmission);
+                        left *= double(phong_of(scene, material).transmission);
                         ++crossings;
                     });
     if (left == 0) crossings = 0;

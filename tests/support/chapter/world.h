@@ -26,7 +26,7 @@ class World {
 
     /// What is left of light along the ray up to that distance: a factor `transmission` of the
     /// material for each surface crossed. `crossings` is the number of those, if any light is left.
-    double transmitted(const Ray& ray, double distance, const std::vector<Material>& materials,
+    double transmitted(const Ray& ray, double distance, const Scene& scene,
                        uint32_t& crossings) const;
 
   private:

@@ -1,0 +1,60 @@
+// Where a picture is seen from.
+#pragma once
+
+#include "scene/fields.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+
+namespace onde {
+
+/// A window of real size at a distance before the eye (the chapter's screen, C3).
+struct ScreenWindow {
+    glm::vec2 size{1.0f};                 ///< a, b, world units
+    float distance = 1.0f;                ///< f
+    std::optional<glm::vec2> first_pixel; ///< centre of the lower left pixel, from the view axis;
+                                          ///< else the window is centred on the axis
+};
+
+constexpr auto fields_of(TypeTag<ScreenWindow>) {
+    using S = ScreenWindow;
+    return std::tuple{
+        field("size", &S::size, "width and height", {.range = POSITIVE, .required = true}),
+        field("distance", &S::distance, "from the eye", {.range = POSITIVE, .required = true}),
+        field("first_pixel", &S::first_pixel, "centre of the lower left pixel, from the view axis",
+              {.absent = "centred"})};
+}
+
+struct Camera {
+    std::string name;
+    glm::mat4 camera_to_world{1.0f};    ///< rotation and translation
+    float vertical_fov = 0.7f;          ///< radians
+    float aperture_radius = 0.0f;       ///< thin lens; 0 is a pinhole
+    float focus_distance = 1.0f;        ///< along the view axis
+    float orthographic_height = 0.0f;   ///< of the view; 0: perspective
+    std::optional<ScreenWindow> screen; ///< replaces vertical_fov
+};
+
+constexpr auto fields_of(TypeTag<Camera>) {
+    using C = Camera;
+    return std::tuple{
+        field("name", &C::name, ""),
+        LoaderKey{"position", "`[x, y, z]`", "", "required"},
+        LoaderKey{"look_at", "`[x, y, z]`", "a point that differs from `position`", "required"},
+        LoaderKey{"up", "`[x, y, z]`", "not parallel to the view axis", "`[0, 1, 0]`"},
+        field_without_key(&C::camera_to_world, "transform"),
+        field("vertical_fov", &C::vertical_fov, "the angle of view",
+              {.range = {.low = 1e-4, .high = 179.99}, .form = Form::degrees, .absent = "`40`"}),
+        field("aperture", &C::aperture_radius, "radius of the thin lens; 0 is a pinhole",
+              {.range = NOT_NEGATIVE, .form = Form::length}),
+        field("focus_distance", &C::focus_distance, "along the view axis",
+              {.range = POSITIVE, .form = Form::length, .absent = "the distance to `look_at`"}),
+        field("orthographic_height", &C::orthographic_height,
+              "of the view in world units; parallel rays instead of `vertical_fov`",
+              {.range = NOT_NEGATIVE, .form = Form::length, .absent = "a perspective"}),
+        field("screen", &C::screen, "a window before the eye instead of `vertical_fov`")};
+}
+
+} // namespace onde

@@ -1,0 +1,59 @@
+// Lights without geometry. Anything with an emissive material is a light as well.
+#pragma once
+
+#include "image/image.h"
+#include "scene/fields.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+
+namespace onde {
+
+struct PointLight {
+    glm::vec3 position{0.0f};
+    glm::vec3 intensity{1.0f}; ///< W/sr
+};
+
+/// What a light without its radiometric key is taken to mean, for the documentation.
+inline constexpr std::string_view FROM_CHAPTER = "from `chapter_intensity`";
+
+constexpr auto fields_of(TypeTag<PointLight>) {
+    return std::tuple{field("position", &PointLight::position, "", {.required = true}),
+                      field("intensity", &PointLight::intensity, "W/sr",
+                            {.range = NOT_NEGATIVE, .form = Form::color, .absent = FROM_CHAPTER})};
+}
+
+struct DirectionalLight {
+    glm::vec3 to_light{0.0f, 1.0f, 0.0f}; ///< unit, pointing from the scene toward the light
+    glm::vec3 irradiance{1.0f};           ///< on a surface facing the light
+};
+
+constexpr auto fields_of(TypeTag<DirectionalLight>) {
+    return std::tuple{
+        LoaderKey{"direction", "`[x, y, z]`", "the way the light travels", "required"},
+        field_without_key(&DirectionalLight::to_light, "direction"),
+        field("irradiance", &DirectionalLight::irradiance, "W/m^2 on a surface facing the light",
+              {.range = NOT_NEGATIVE, .form = Form::color, .absent = FROM_CHAPTER})};
+}
+
+/// Light from infinity: `radiance` times the equirectangular `map` if there is one.
+/// Map row 0 is straight up (+Y); the centre column is -Z; +X is to the right of it.
+/// rotation (radians) turns the map counter-clockwise about +Y seen from above.
+struct Environment {
+    glm::vec3 radiance{0.0f};
+    std::optional<Image> map; ///< 3 channels
+    float rotation = 0.0f;
+};
+
+constexpr auto fields_of(TypeTag<Environment>) {
+    return std::tuple{field("radiance", &Environment::radiance, "multiplies the map",
+                            {.range = NOT_NEGATIVE, .form = Form::color, .absent = "`1`"}),
+                      LoaderKey{"map", "equirectangular picture (`.hdr`, `.exr`, `.png`)",
+                                "the top row is +Y, the centre is -Z, +X to the right of it", ""},
+                      field_without_key(&Environment::map, "map"),
+                      field("rotation", &Environment::rotation,
+                            "counter-clockwise about +Y seen from above", {.form = Form::degrees})};
+}
+
+} // namespace onde

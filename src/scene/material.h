@@ -1,0 +1,105 @@
+// What surfaces look like.
+#pragma once
+
+#include "core/enum_words.h"
+#include "image/image.h"
+#include "scene/fields.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace onde {
+
+enum class Wrap : uint32_t { repeat, clamp, mirror };
+
+constexpr auto enum_words(Wrap) {
+    return std::array{EnumWord{Wrap::repeat, "repeat"}, EnumWord{Wrap::clamp, "clamp"},
+                      EnumWord{Wrap::mirror, "mirror"}};
+}
+
+/// An 8-bit RGBA texture; `srgb` says that its colour channels need linearising (alpha never does).
+struct Texture {
+    std::string name;
+    ByteImage image;
+    bool srgb = true;
+    Wrap wrap_u = Wrap::repeat;
+    Wrap wrap_v = Wrap::repeat;
+};
+
+inline constexpr int32_t NO_TEXTURE = -1;
+
+enum class MaterialKind : uint32_t {
+    diffuse,    ///< Lambert: base_color is the albedo
+    conductor,  ///< GGX with Schlick Fresnel: base_color is the reflectance at normal incidence
+    dielectric, ///< GGX glass: exact Fresnel from ior, base_color tints what goes through
+    metallic_roughness, ///< the glTF 2.0 mix (appendix B of its specification)
+    phong,              ///< the chapter's, by its Phong numbers; see path_material() for others
+};
+
+constexpr auto enum_words(MaterialKind) {
+    return std::array{EnumWord{MaterialKind::diffuse, "diffuse"},
+                      EnumWord{MaterialKind::conductor, "conductor"},
+                      EnumWord{MaterialKind::dielectric, "dielectric"},
+                      EnumWord{MaterialKind::metallic_roughness, "metallic-roughness"},
+                      EnumWord{MaterialKind::phong, "phong"}};
+}
+
+/// Surface appearance. Textures multiply the factor beside them, as in glTF:
+/// base_color (rgb), roughness (g) and metallic (b) of one texture, emission (rgb).
+/// GGX alpha is roughness^2; an alpha below 1e-3 is perfectly smooth (a delta distribution).
+struct Material {
+    std::string name;
+    MaterialKind kind = MaterialKind::diffuse;
+    glm::vec3 base_color{0.8f};
+    float roughness = 1.0f;
+    float metallic = 0.0f;    ///< metallic_roughness only
+    float ior = 1.5f;         ///< interior over exterior index; dielectric only
+    glm::vec3 emission{0.0f}; ///< radiance, from the front face only (both faces if two_sided)
+    bool two_sided = true;    ///< whether emission leaves the back face as well
+    int32_t base_color_texture = NO_TEXTURE;
+    int32_t metallic_roughness_texture = NO_TEXTURE;
+    int32_t emission_texture = NO_TEXTURE;
+    int32_t normal_texture = NO_TEXTURE; ///< tangent-space normals, +Y up as in glTF
+    float normal_scale = 1.0f;
+};
+
+constexpr auto fields_of(TypeTag<Material>) {
+    using M = Material;
+    return std::tuple{
+        field("name", &M::name, "unique in the file", {.required = true}),
+        field("kind", &M::kind, "how the surface scatters light"),
+        field("base_color", &M::base_color, "albedo, reflectance at normal incidence, or tint",
+              {.range = UNIT, .form = Form::color, .alias = "color"}),
+        field("roughness", &M::roughness, "0 is a mirror; GGX alpha is its square",
+              {.range = UNIT, .absent = "`1`; `0` for conductor and dielectric"}),
+        field("metallic", &M::metallic, "of `metallic-roughness` only", {.range = UNIT}),
+        field("ior", &M::ior, "interior over exterior index of refraction; of `dielectric` only",
+              {.range = {.low = 0.01, .high = 100}}),
+        field("emission", &M::emission, "radiance", {.range = NOT_NEGATIVE, .form = Form::color}),
+        field("two_sided", &M::two_sided, "whether the back face emits as well"),
+        field("base_color_texture", &M::base_color_texture, "multiplies `base_color`",
+              {.form = Form::srgb_texture}),
+        field("metallic_roughness_texture", &M::metallic_roughness_texture,
+              "green multiplies roughness, blue metallic", {.form = Form::linear_texture}),
+        field("emission_texture", &M::emission_texture,
+              "multiplies `emission`, so write `emission = 1` beside it",
+              {.form = Form::srgb_texture}),
+        field("normal_texture", &M::normal_texture, "normals in tangent space, +Y up",
+              {.form = Form::linear_texture}),
+        field("normal_scale", &M::normal_scale, "of the normal texture's x and y"),
+        LoaderKey{"wrap", "`\"repeat\"`, `\"clamp\"`, `\"mirror\"`",
+                  "how this material's textures go on beyond their edges", "`\"repeat\"`"}};
+}
+
+/// Calls visit(field, index) for each texture slot of a material.
+template <class M, class Visit>
+constexpr void for_each_texture(M& material, const Visit& visit) {
+    for_each_field(material, [&](const auto& field, auto& value) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, int32_t>)
+            if (is_texture(field.rules.form)) visit(field, value);
+    });
+}
+
+} // namespace onde

@@ -1,0 +1,55 @@
+// What a scene file may ask of a render; the command line overrides each.
+#pragma once
+
+#include "core/enum_words.h"
+#include "scene/fields.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace onde {
+
+enum class IntegratorKind : uint32_t { path, whitted, light, depth_buffer, painter };
+
+constexpr auto enum_words(IntegratorKind) {
+    return std::array{EnumWord{IntegratorKind::path, "path"},
+                      EnumWord{IntegratorKind::whitted, "whitted"},
+                      EnumWord{IntegratorKind::light, "light"},
+                      EnumWord{IntegratorKind::depth_buffer, "depth-buffer"},
+                      EnumWord{IntegratorKind::painter, "painter"}};
+}
+
+enum class Filter : uint32_t { box, tent, gaussian, blackman_harris };
+
+constexpr auto enum_words(Filter) {
+    return std::array{EnumWord{Filter::box, "box"}, EnumWord{Filter::tent, "tent"},
+                      EnumWord{Filter::gaussian, "gaussian"},
+                      EnumWord{Filter::blackman_harris, "blackman-harris"}};
+}
+
+inline constexpr Range FILM_SIZE{.low = 1, .high = 65535};
+
+struct RenderSettings {
+    std::optional<uint32_t> width, height, samples, depth, seed;
+    std::optional<Filter> filter;
+    std::optional<float> exposure;
+    std::optional<IntegratorKind> integrator;
+};
+
+/// The keys of [render]; [film] has width and height as one.
+constexpr auto fields_of(TypeTag<RenderSettings>) {
+    using S = RenderSettings;
+    return std::tuple{
+        field_without_key(&S::width, "width", {.range = FILM_SIZE}),
+        field_without_key(&S::height, "height", {.range = FILM_SIZE}),
+        field("samples", &S::samples, "per pixel", {.range = {.low = 1, .high = 1u << 24}}),
+        field("depth", &S::depth, "the most surfaces that a path may visit",
+              {.range = {.low = 1, .high = 1u << 16}}),
+        field("seed", &S::seed, "of the random numbers",
+              {.range = {.low = 0, .high = 0xffffffffu}}),
+        field("filter", &S::filter, "of the pixels"),
+        field("exposure", &S::exposure, "stops", {.range = {.low = -64, .high = 64}}),
+        field("integrator", &S::integrator, "what is computed", {.absent = "`\"path\"`"})};
+}
+
+} // namespace onde

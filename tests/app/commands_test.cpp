@@ -201,13 +201,13 @@ TEST_CASE("cache prewarm compiles what a render then loads; list shows it and cl
     const Environment own{{"ONDE_CACHE_DIR", (folder / "cache").string()}};
     CHECK_THAT(output_of(folder, {"cache", "list"}, own), Catch::StartsWith("0 programs, 0 bytes"));
     const std::string prewarmed = output_of(folder, {"cache", "prewarm", CORNELL}, own);
-    CHECK_THAT(prewarmed, Catch::Contains("cornell.toml compiled in "));
+    CHECK_THAT(prewarmed, Catch::Contains("cornell.toml ") && Catch::Contains(" compiled in "));
     CHECK_THAT(output_of(folder, {"cache", "list"}, own), Catch::Contains("1 programs, "));
     const Outcome outcome =
         onde::test::onde(folder, {"render", CORNELL, "--size", "16x12", "--spp", "1"}, own);
     CHECK_THAT(outcome.err, Catch::Contains("kernels loaded in "));
     CHECK_THAT(output_of(folder, {"cache", "prewarm", CORNELL}, own),
-               Catch::Contains("cornell.toml was there"));
+               Catch::Contains(" was there, loaded in "));
     CHECK_THAT(output_of(folder, {"cache", "clear"}, own),
                Catch::StartsWith("1 programs removed from " + (folder / "cache").string()));
     CHECK_THAT(output_of(folder, {"cache", "list"}, own), Catch::StartsWith("0 programs, 0 bytes"));
@@ -255,7 +255,7 @@ TEST_CASE("PoCL compiles each kernel once, and a binary of it is kept") {
     const Environment own{{"ONDE_CACHE_DIR", (folder / "cache").string()},
                           {"POCL_CACHE_DIR", pocl.string()}};
     CHECK_THAT(output_of(folder, {"cache", "prewarm", CORNELL}, own),
-               Catch::Contains("cornell.toml compiled in "));
+               Catch::Contains(" compiled in "));
     std::map<std::string, int> versions; // of each kernel, as shared objects
     for (const auto& entry : fs::recursive_directory_iterator(pocl))
         if (entry.path().extension() == ".so") ++versions[entry.path().stem()];

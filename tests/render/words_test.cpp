@@ -20,12 +20,12 @@ std::string documentation() {
     return text;
 }
 
-/// As `word`, `"word"` or `--option word`.
+/// As `word`, `"word"` or after an option, as in `--option word`.
 template <WordedEnum Enum>
 void check_words(const std::string& text) {
     for (const std::string_view word : all_words<Enum>()) {
         INFO(word << " is not in README.md or docs/*.md");
-        const std::regex quoted("`(--[a-z-]+ )?\"?" + std::string(word) + "\"?`");
+        const std::regex quoted("(`\"?|--[a-z-]+ )" + std::string(word) + "[\"` ]");
         CHECK(std::regex_search(text, quoted));
     }
 }

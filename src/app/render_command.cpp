@@ -9,6 +9,8 @@
 #include "core/timer.h"
 #include "scene/load.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace onde::app {
@@ -50,13 +52,34 @@ void write_cost_maps(const std::vector<std::filesystem::path>& outputs, const Tr
                  map.sum(), double(map.sum()) / (double(map.width) * map.height), map.largest());
 }
 
+/// The numbers of a channel of the film, or grey where the largest is white.
+void write_channel(const std::vector<std::filesystem::path>& outputs, const Image& numbers,
+                   const std::string& name, const ImageMetadata& metadata) {
+    const float largest = std::max(*std::ranges::max_element(numbers.pixels), 1e-30f);
+    for (const auto& output : outputs) {
+        const std::filesystem::path path = aov_path(output, name);
+        if (path.extension() == ".exr")
+            write_exr(path, numbers, metadata, ExrDepth::full_float);
+        else
+            write_png(path, numbers, {-std::log2(largest), ToneMap::none}, metadata);
+        spdlog::info("wrote {}", std::filesystem::absolute(path).string());
+    }
+}
+
 void write_all(const std::vector<std::filesystem::path>& outputs, Session& session,
                const RenderRequest& request, const RenderReport& report) {
     const float exposure = session.scene().settings.exposure.value_or(0.0f);
     const Display display{request.exposure.value_or(exposure), request.tone_map};
     const ImageMetadata metadata = describe_picture(session, report);
     write_pictures(outputs, session.picture(), request, display, metadata);
-    if (request.cost_aov) write_cost_maps(outputs, session.traversal_cost(), metadata);
+    for (const std::string& aov : request.aovs)
+        if (aov == TRAVERSAL_COST)
+            write_cost_maps(outputs, session.traversal_cost(), metadata);
+        else
+            write_channel(
+                outputs,
+                session.film().develop(*std::ranges::find(FILM_CHANNELS, aov, &FilmChannel::name)),
+                aov, metadata);
 }
 
 RenderOutcome render_until_done(Session& session, bool quiet) {

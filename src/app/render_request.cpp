@@ -18,7 +18,6 @@ namespace {
 /// As in scene files.
 constexpr float MOST_STOPS = 64.0f;
 
-const std::map<std::string, bool> AOVS{{TRAVERSAL_COST, true}};
 const std::map<std::string, bool> SWITCH{{"on", true}, {"off", false}};
 
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
@@ -52,10 +51,11 @@ void declare_picture(Command& command, RenderRequest& r) {
     command.option("--exposure", &r.exposure, "Brighten the .png by that many stops",
                    {.value = "STOPS"});
     command.choice("--tone-map", r.tone_map, "How the .png rolls off highlights (none)");
-    command.choice(
-        "--aov", r.cost_aov, AOVS,
-        "Also write OUTPUT.traversal-cost: the boxes and primitives that camera rays test,\n"
-        "by pixel, as numbers in .exr, as colours in .png");
+    command.option(
+        "--aov", &r.aovs,
+        "Also write OUTPUT.WORD, as numbers in .exr, as colours in .png: traversal-cost,\n"
+        "the boxes and primitives that camera rays test by pixel; sample-count",
+        {.value = "WORD", .delimiter = ',', .words = aov_words()});
     command.flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
 }
 
@@ -159,6 +159,13 @@ Session open_session(Machine& machine, Scene scene, const RenderRequest& request
     return Session(machine.programs, std::move(scene), std::move(options));
 }
 
+std::vector<std::string> aov_words() {
+    std::vector<std::string> words{TRAVERSAL_COST};
+    for (const FilmChannel& channel : FILM_CHANNELS)
+        if (channel.name != RADIANCE.name) words.emplace_back(channel.name);
+    return words;
+}
+
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name) {
     std::filesystem::path path = output;
     return path.replace_extension(name + output.extension().string());
@@ -172,7 +179,7 @@ std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request)
             throw InputError("{}: pictures are written as .png or .exr; change the extension",
                              path.string());
         check_writable(path);
-        if (request.cost_aov) check_writable(aov_path(path, TRAVERSAL_COST));
+        for (const std::string& aov : request.aovs) check_writable(aov_path(path, aov));
     }
     if (!request.json.empty()) check_writable(request.json);
     return outputs;

@@ -26,8 +26,8 @@ struct MachineRequest {
 struct RenderRequest {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs;
-    bool cost_aov = false;
-    std::string size; ///< WIDTHxHEIGHT, or empty
+    std::vector<std::string> aovs; ///< of aov_words()
+    std::string size;              ///< WIDTHxHEIGHT, or empty
     RenderChoices choices;
     BvhOptions bvh;
     std::optional<BvhLayout> layout;
@@ -62,8 +62,9 @@ Machine open_machine(const MachineRequest& request, gpu::Profiling profiling = g
 /// InputError and DeviceError.
 Session open_session(Machine& machine, Scene scene, const RenderRequest& request);
 
-/// The word of the quantity that --aov adds.
+/// What --aov can add: the traversal cost, and the channels of the film but the picture itself.
 inline constexpr const char* TRAVERSAL_COST = "traversal-cost";
+std::vector<std::string> aov_words();
 
 /// Where a picture's companion of that name goes: out.png's "a" to out.a.png.
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name);

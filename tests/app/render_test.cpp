@@ -224,6 +224,21 @@ TEST_CASE("--aov traversal-cost writes what each pixel tests beside every pictur
     CHECK_THAT(outcome.err, Catch::Contains(std::to_string(long(sum)) + " tests of boxes"));
 }
 
+TEST_CASE("--aov sample-count writes how many samples each pixel has") {
+    const Folder folder;
+    const Outcome outcome =
+        onde::test::onde(folder, render(CORNELL, {"--spp", "70", "-o", "a.png", "-o", "b.exr",
+                                                  "--aov", "sample-count,traversal-cost"}));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(folder.files().size() == 6);
+    const onde::Image counts = onde::read_image(folder / "b.sample-count.exr");
+    CHECK(counts.channels == 1);
+    CHECK(std::ranges::all_of(counts.pixels, [](float count) { return count == 70; }));
+    const onde::Image white = onde::read_image(folder / "a.sample-count.png");
+    CHECK(std::ranges::all_of(white.pixels, [](float value) { return value == 1; }));
+}
+
 TEST_CASE("plain trees and the watertight option render the production tree's picture") {
     const Folder folder;
     const std::vector<float> expected = pixels_of(folder, "a.exr", {});

@@ -1,5 +1,6 @@
 // The chapter's pictures against its recursion in double precision, which shares no code with them.
 #include "render/picture.h"
+#include "scene/phong.h"
 #include "support/chapter/check_picture.h"
 
 #include <iostream>
@@ -21,11 +22,11 @@ std::vector<std::filesystem::path> chapter_scenes() {
     return scenes;
 }
 
-/// What is stated of the first material that light comes through.
+/// What follows for the first material that light comes through, stated so that it can be changed.
 Phong& first_glass(Scene& scene) {
-    return std::ranges::find_if(scene.chapter.phong,
-                                [](const auto& stated) { return stated.second.transmission > 0; })
-        ->second;
+    uint32_t glass = 0;
+    while (!(phong_of(scene, glass).transmission > 0)) glass++;
+    return scene.chapter.phong[glass] = phong_of(scene, glass);
 }
 
 void compare(const std::string& name, const Scene& scene, glm::uvec2 size, uint32_t samples,

@@ -35,9 +35,9 @@ KERNEL_ARROWS = {
     "path": SHADE | {"film"},
     "light_tracing": SHADE | {"film"},
     "chapter": SHADE | {"film"},
-    "wavefront": SHADE | ESTIMATORS | {"film"},
+    "wavefront": SHADE | ESTIMATORS | {"film", "megakernel"},
     "megakernel": SHADE | ESTIMATORS | {"film"},
-    "inspect": SHADE | ESTIMATORS | {"film", "wavefront"},
+    "inspect": SHADE | ESTIMATORS | {"film", "wavefront", "megakernel"},
     "bench": SHADE,
     "probe": SHADE | ESTIMATORS | {"film"},
 }

@@ -69,15 +69,16 @@ INLINE void count_rays(__global uint* counters, uint row, uint bounce, uint rays
     if (rays) atomic_add(&counters[row * COUNTER_BOUNCES + bounce], rays);
 }
 
-// The same for each lane in `bits`, where levels differ from lane to lane.
-INLINE void count_by_level(__global uint* counters, uint row, natural level, uint bits) {
+// The same of `rays` by lane, where levels differ from lane to lane.
+INLINE void count_by_level(__global uint* counters, uint row, natural level, natural rays) {
     float level_of[ONDE_WIDTH];
     spill_real(level_of, as_real(level));
+    uint bits = mask_bits(rays != 0u);
     while (bits) {
-        const uint first = as_uint(level_of[lowest_bit(bits)]);
-        const uint same = bits & mask_bits(level == first);
-        count_rays(counters, row, first, popcount(same));
-        bits &= ~same;
+        const mask same = level == as_uint(level_of[lowest_bit(bits)]);
+        count_rays(counters, row, as_uint(level_of[lowest_bit(bits)]),
+                   sum_natural(choose(same, rays, (natural)(0u))));
+        bits &= ~mask_bits(same);
     }
 }
 

@@ -3,7 +3,7 @@
 #include "chapter/whitted/estimator.h"
 #include "film/tally.h"
 #include "inspect/report.h"
-#include "trace/trace.h"
+#include "megakernel/tree.h"
 
 // A node of the tree: its ray, and what it meets.
 typedef struct {
@@ -13,30 +13,12 @@ typedef struct {
 
 // How much of a connection arrives.
 INLINE float arriving(Estimator e, Connection c) {
-    if (!(c.distance > 0.0f)) return 0.0f;
-    if (!trace_occluded(e.view.bvh, c.origin, c.direction, c.distance, 1u)) return 1.0f;
-#if ESTIMATOR_TRANSLUCENT
-    return estimator_transmittance(e, (float3)(c.origin.x, c.origin.y, c.origin.z),
-                                   (float3)(c.direction.x, c.direction.y, c.direction.z),
-                                   c.distance);
-#else
-    return 0.0f;
-#endif
-}
-
-// The colour of a node without its children, by the steps that the schedulers take.
-INLINE real3 inspected_color(Estimator e, TreeNode node) {
-    const Step step = estimator_vertex(e, node.ray, node.hits, 0u, node.ray.level, 1);
-    State state = step.next;
-    Connection connection = step.connection;
-    float sum = 0.0f;
-    for (uint k = 1;; k++) {
-        const float arrives = arriving(e, connection);
-        if (arrives > 0.0f) sum += connection.value.x * arrives;
-        if (k >= estimator_connections(e)) break;
-        connection = estimator_connection(e, &state, node.hits, 0u, k, &sum, 1);
-    }
-    return own_color(e, state, node.hits, sum, 1);
+    Connections one;
+    put_group(&one.ways, 0, c.origin, c.direction, c.distance);
+    one.value[0] = 1.0f;
+    one.bits = c.distance > 0.0f;
+    answer(e, &one, 1);
+    return one.value[0];
 }
 
 // The two parts of what a source adds, and how much of it arrives.
@@ -51,7 +33,8 @@ INLINE void explain_source(Estimator e, WhittedVertex v, __global const SourceRe
         const real2 uv = grid_point(source, k, offset);
         const SourceSample s = source_sample(source, uv, v.surface.position);
         const float cosine = dot3(v.surface.normal, s.direction);
-        const float arrives = arriving(e, sample_connection(w, v, source, uv, 1)) * share;
+        const Connection c = sample_connection(w, v, source, uv, 1);
+        const float arrives = arriving(e, c) * share;
         visible += arrives;
         if (!(arrives > 0.0f)) continue;
         diffuse += arrives * PHONG(w, v, diffuse) * cosine;
@@ -107,14 +90,14 @@ __kernel void inspect_whitted(LAUNCH_PARAMETERS, SCENE_PARAMETERS,
     *report_count = 0;
     tree[0].ray = estimator_start(e, 0u);
     reports[0].parent = 0;
-    uint grown = 1;
+    uint grown = 1, tested = 0;
     for (uint i = 0; i < grown; i++) {
         TreeNode node;
         node.ray = tree[i].ray;
         node.hits = trace_closest(e.view.bvh, node.ray.origin, node.ray.direction, 1u);
         const WhittedVertex v = whitted_vertex(e.view, e.w, node.ray, node.hits, 1);
         explain_node(e, node, v, reports + i, source_reports + i * e.w.settings->source_count);
-        const real3 color = inspected_color(e, node);
+        const real3 color = node_color(e, v, node.ray, 0u, 1, &tested);
         report3(reports[i].own, color);
         report3(reports[i].returned, color);
         if (node.ray.level + 1 >= e.w.settings->max_depth) continue;

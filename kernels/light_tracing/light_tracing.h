@@ -41,7 +41,7 @@ INLINE Sampler light_sampler(__global const FrameRecord* frame, natural index, n
     const natural paths_per_sample = (natural)(frame->width * frame->height);
     const natural before = sample * paths_per_sample;
     const natural number = before + index;
-    const natural carry = choose(number < before, (natural)(1u), (natural)(0u));
+    const natural carry = one_for(number < before);
     return sampler_start(mul_hi(sample, paths_per_sample) + carry, number, frame->seed);
 }
 

@@ -270,6 +270,11 @@ INLINE mask mask_from_bits(uint bits) {
 
 #define if_any(m) if (mask_bits(m))
 
+// 1 in these lanes, 0 in the others.
+INLINE natural one_for(mask lanes) {
+    return choose(lanes, (natural)(1u), (natural)(0u));
+}
+
 INLINE natural load_natural(__global const float* p) {
     return as_natural(load_real(p));
 }

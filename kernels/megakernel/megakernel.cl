@@ -2,21 +2,13 @@
 // wavefront. `count` is the number of paths.
 #include "film/film.h"
 #include "film/tally.h"
-#include "trace/trace.h"
+#include "megakernel/tree.h"
 
 // What the lanes of a group have gathered.
 typedef struct {
     real3 sum;
     natural contributed, unblocked; // of estimators that splat
 } Gathered;
-
-INLINE void count_lanes(Estimator e, uint row, uint vertex, State state, uint bits) {
-#if ESTIMATOR_TREE
-    count_by_level(e.job.counters, row, state.level, bits);
-#else
-    count_rays(e.job.counters, row, vertex, popcount(bits));
-#endif
-}
 
 #if ESTIMATOR_SPLATS
 // Adds the connections of the lanes in `bits` to their pixels.
@@ -43,41 +35,17 @@ INLINE void add_splats(Estimator e, FilmView film, Connection c, natural id, uin
 }
 #endif
 
-#if ESTIMATOR_TRANSLUCENT
-// What is left of the light of the lanes in `blocked`; 1 in others.
-INLINE real transmittances(Estimator e, Connection c, uint blocked) {
-    SpilledRays rays;
-    float distance[ONDE_WIDTH], left[ONDE_WIDTH];
-    spill_rays(&rays, c.origin, c.direction);
-    spill_real(distance, c.distance);
-    spill_real(left, (real)(1.0f));
-    for (; blocked; blocked &= blocked - 1) {
-        const uint k = lowest_bit(blocked);
-        left[k] = estimator_transmittance(e, spilled_origin(&rays, k), spilled_direction(&rays, k),
-                                          distance[k]);
-    }
-    return unspill_real(left);
-}
-#endif
-
 // Tests the connections of a vertex, the camera or light being vertex 0, and adds what arrives.
-INLINE void connect_lanes(Estimator e, FilmView film, State state, Connection c, natural id,
-                          uint vertex, mask lanes, Gathered* gathered) {
+INLINE void connect_lanes(Estimator e, FilmView film, Connection c, natural id, uint vertex,
+                          mask lanes, Gathered* gathered) {
     const uint tested = mask_bits(lanes & (c.distance > 0.0f));
     if (!tested) return;
-    count_lanes(e, COUNTER_SHADOW, vertex, state, tested);
-    const uint blocked = trace_occluded(e.view.bvh, c.origin, c.direction, c.distance, tested);
+    count_rays(e.job.counters, COUNTER_SHADOW, vertex, popcount(tested));
+    const uint open =
+        tested & ~trace_occluded(e.view.bvh, c.origin, c.direction, c.distance, tested);
 #if ESTIMATOR_SPLATS
-    add_splats(e, film, c, id, vertex, tested & ~blocked, gathered);
+    add_splats(e, film, c, id, vertex, open, gathered);
 #else
-    uint open = tested & ~blocked;
-    #if ESTIMATOR_TRANSLUCENT
-    if (blocked) {
-        const real left = transmittances(e, c, blocked);
-        c.value = scale3(c.value, left);
-        open |= blocked & mask_bits(left > 0.0f);
-    }
-    #endif
     const mask lit = mask_from_bits(open);
     gathered->sum = choose(lit, add3(gathered->sum, c.value), gathered->sum);
 #endif
@@ -95,30 +63,27 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
     const Step start = estimator_start(e, id, lanes);
     State state = start.next;
     alive = start.alive;
-    connect_lanes(e, film, state, start.connection, id, 0, lanes, &gathered);
+    connect_lanes(e, film, start.connection, id, 0, lanes, &gathered);
 #else
     State state = estimator_start(e, id);
 #endif
     for (uint bounce = 0; mask_bits(alive); bounce++) {
-        const uint bits = mask_bits(alive), vertex = bounce + ESTIMATOR_CONNECTS_START;
-        count_lanes(e, COUNTER_EXTENSION, bounce, state, bits);
+        const uint bits = mask_bits(alive);
         const Hits hits = trace_bounce(e.view.bvh, state.origin, state.direction, bounce, bits);
-        const Step step = estimator_vertex(e, state, hits, id, bounce, alive);
-#if ESTIMATOR_EMITS
-        gathered.sum = choose(alive, add3(gathered.sum, step.emitted), gathered.sum);
-#endif
-        state = step.next;
-        connect_lanes(e, film, state, step.connection, id, vertex, alive, &gathered);
 #if ESTIMATOR_TREE
-        for (uint k = 1; k < estimator_connections(e); k++) {
-            const Connection c =
-                estimator_connection(e, &state, hits, id, k, &gathered.sum.x, alive);
-            connect_lanes(e, film, state, c, id, vertex, alive, &gathered);
-        }
+        count_by_level(e.job.counters, COUNTER_EXTENSION, state.level, one_for(alive));
         const mask tree = alive;
-        alive = estimator_advance(e, &state, hits, id, gathered.sum.x, tree);
-        gathered.sum = choose(tree, choose(alive, zero3(), state.color), gathered.sum);
+        alive = visit_node(e, &state, hits, id, tree);
+        gathered.sum = choose(tree & !alive, state.color, gathered.sum);
 #else
+        count_rays(e.job.counters, COUNTER_EXTENSION, bounce, popcount(bits));
+        const Step step = estimator_vertex(e, state, hits, id, bounce, alive);
+    #if ESTIMATOR_EMITS
+        gathered.sum = choose(alive, add3(gathered.sum, step.emitted), gathered.sum);
+    #endif
+        state = step.next;
+        connect_lanes(e, film, step.connection, id, bounce + ESTIMATOR_CONNECTS_START, alive,
+                      &gathered);
         alive = step.alive;
 #endif
     }

@@ -131,30 +131,64 @@ INLINE Hits trace_bounce(BvhView bvh, real3 origin, real3 direction, uint bounce
 }
 #endif
 
-// One bit per lane of `bits` whose way to `distance` is blocked.
+// Rays that are asked about together: OCCLUDED_GROUPS times as many as there are lanes.
 #if ONDE_STREAMS
-INLINE uint trace_occluded(BvhView bvh, real3 origin, real3 direction, real distance, uint bits) {
-    StreamRays rays;
-    const float t_min[STREAM_WIDTH] = {0.0f};
-    float far[STREAM_WIDTH] = {0.0f};
-    load_stream(&rays, origin, direction);
-    spill_real(far, distance);
-    return bvh_occluded_stream(BVH_TO_SCALARS(bvh), &rays, t_min, far, bits);
-}
+    #define OCCLUDED_GROUPS (OCCLUDED_WIDTH / ONDE_WIDTH)
+typedef StreamRays OccludedRays;
 #else
-INLINE uint trace_occluded(BvhView bvh, real3 origin, real3 direction, real distance, uint bits) {
-    SpilledRays rays;
-    spill_rays(&rays, origin, direction);
-    float far[ONDE_WIDTH];
-    spill_real(far, distance);
+    #define OCCLUDED_GROUPS 1
+typedef struct {
+    float origin[3][ONDE_WIDTH], direction[3][ONDE_WIDTH];
+} OccludedRays;
+#endif
+typedef struct {
+    OccludedRays rays;
+    float distance[OCCLUDED_GROUPS * ONDE_WIDTH];
+} Occlusion;
+
+INLINE void put_group(Occlusion* o, uint group, real3 origin, real3 direction, real distance) {
+    const uint first = group * ONDE_WIDTH;
+    spill_real(o->rays.origin[0] + first, origin.x);
+    spill_real(o->rays.origin[1] + first, origin.y);
+    spill_real(o->rays.origin[2] + first, origin.z);
+    spill_real(o->rays.direction[0] + first, direction.x);
+    spill_real(o->rays.direction[1] + first, direction.y);
+    spill_real(o->rays.direction[2] + first, direction.z);
+    spill_real(o->distance + first, distance);
+}
+
+INLINE float3 occluded_origin(const Occlusion* o, uint r) {
+    return (float3)(o->rays.origin[0][r], o->rays.origin[1][r], o->rays.origin[2][r]);
+}
+INLINE float3 occluded_direction(const Occlusion* o, uint r) {
+    return (float3)(o->rays.direction[0][r], o->rays.direction[1][r], o->rays.direction[2][r]);
+}
+
+// One bit per ray of `bits`, among those of the first groups, whose way to its distance is blocked.
+INLINE uint occluded_groups(BvhView bvh, Occlusion* o, uint groups, uint bits) {
+#if ONDE_STREAMS
+    const float t_min[OCCLUDED_WIDTH] = {0.0f};
+    const real3 none = splat3((real)(0.0f)); // so that arithmetic on idle places is on numbers
+    for (; groups * ONDE_WIDTH % STREAM_WIDTH; groups++)
+        put_group(o, groups, none, none, (real)(0.0f));
+    return bvh_occluded_stream(BVH_TO_SCALARS(bvh), &o->rays, t_min, o->distance, bits);
+#else
     uint blocked = 0;
     for (; bits; bits &= bits - 1) {
-        const uint k = lowest_bit(bits);
-        if (bvh_occluded(bvh, spilled_origin(&rays, k), 0.0f, spilled_direction(&rays, k), far[k]))
-            blocked |= 1u << k;
+        const uint r = lowest_bit(bits);
+        if (bvh_occluded(bvh, occluded_origin(o, r), 0.0f, occluded_direction(o, r),
+                         o->distance[r]))
+            blocked |= 1u << r;
     }
     return blocked;
-}
 #endif
+}
+
+// One bit per lane of `bits` whose way to `distance` is blocked.
+INLINE uint trace_occluded(BvhView bvh, real3 origin, real3 direction, real distance, uint bits) {
+    Occlusion o;
+    put_group(&o, 0, origin, direction, distance);
+    return occluded_groups(bvh, &o, 1, bits);
+}
 
 #endif

@@ -12,9 +12,9 @@ INLINE void count_path_rays(WaveJob job, uint row, uint bounce, uint rays) {
 #endif
 }
 
-INLINE void count_tree_rays(WaveJob job, uint row, WaveView wave, uint i, uint bits) {
+INLINE void count_tree_rays(WaveJob job, uint row, WaveView wave, uint i, mask lanes) {
 #if ESTIMATOR_TREE
-    count_by_level(job.counters, row, load_state(wave.state, i).level, bits);
+    count_by_level(job.counters, row, load_state(wave.state, i).level, one_for(lanes));
 #endif
 }
 

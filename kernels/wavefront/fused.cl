@@ -18,18 +18,15 @@ __kernel void fused(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS ESTIMATO
     end = begin + stage_extend(wave, wave.state, begin, end, begin);
 #endif
     for (uint b = 0; begin < end; b++) {
-        const uint vertex = b + ESTIMATOR_CONNECTS_START;
         count_path_rays(e.job, COUNTER_EXTENSION, b, end - begin);
         stage_intersect(e, wave, b, begin, end);
+#if ESTIMATOR_TREE
+        stage_visit(e, wave, begin, end);
+#else
         stage_shade(e, wave, b, begin, end);
+        const uint vertex = b + ESTIMATOR_CONNECTS_START;
         const uint rays = stage_connect(e, wave, film, vertex, begin, end);
         count_path_rays(e.job, COUNTER_SHADOW, vertex, rays);
-#if ESTIMATOR_TREE
-        for (uint k = 1; k < estimator_connections(e); k++) {
-            stage_sample(e, wave, k, begin, end);
-            stage_connect(e, wave, film, b, begin, end);
-        }
-        stage_advance(e, wave, begin, end);
 #endif
         end = begin + stage_extend(wave, wave.state, begin, end, begin);
     }

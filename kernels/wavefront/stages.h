@@ -3,6 +3,7 @@
 #ifndef ONDE_WAVEFRONT_STAGES_H
 #define ONDE_WAVEFRONT_STAGES_H
 
+#include "megakernel/tree.h"
 #include "wavefront/deliver.h"
 
 // Paths `id` = slot begin to end of the wave, on their way; their sums are zero.
@@ -26,7 +27,7 @@ INLINE void stage_generate(Estimator e, WaveView wave, uint begin, uint end) {
 INLINE void stage_intersect(Estimator e, WaveView wave, uint bounce, uint begin, uint end) {
     trace_columns(e.view.bvh, wave.state, wave_hits(wave), bounce, begin, end);
     for (uint i = begin; i < end; i += ONDE_WIDTH)
-        count_tree_rays(e.job, COUNTER_EXTENSION, wave, i, mask_bits(group_lanes(i, end)));
+        count_tree_rays(e.job, COUNTER_EXTENSION, wave, i, group_lanes(i, end));
 }
 
 INLINE void stage_shade(Estimator e, WaveView wave, uint bounce, uint begin, uint end) {
@@ -45,9 +46,9 @@ INLINE void stage_shade(Estimator e, WaveView wave, uint bounce, uint begin, uin
 }
 
 // The connections that are to be tested, of the group at slot i.
-INLINE uint pending_connections(WaveView wave, uint i, uint end) {
+INLINE mask pending_connections(WaveView wave, uint i, uint end) {
     const real distance = load_real(column(wave_connections(wave), RAY_DISTANCE, i));
-    return mask_bits(group_lanes(i, end) & (distance > 0.0f));
+    return group_lanes(i, end) & (distance > 0.0f);
 }
 
 INLINE void test_connections(Estimator e, WaveView wave, FilmView film, const uint* slots,
@@ -63,9 +64,10 @@ INLINE uint stage_connect(Estimator e, WaveView wave, FilmView film, uint vertex
     uint slots[OCCLUDED_SLOTS];
     uint count = 0, tested = 0;
     for (uint i = begin; i < end; i += ONDE_WIDTH) {
-        uint bits = pending_connections(wave, i, end);
+        const mask pending = pending_connections(wave, i, end);
+        uint bits = mask_bits(pending);
         tested += popcount(bits);
-        count_tree_rays(e.job, COUNTER_SHADOW, wave, i, bits);
+        count_tree_rays(e.job, COUNTER_SHADOW, wave, i, pending);
         for (; bits; bits &= bits - 1) {
             slots[count++] = i + lowest_bit(bits);
             if (count < OCCLUDED_SLOTS) continue;
@@ -84,9 +86,9 @@ INLINE void stage_sample(Estimator e, WaveView wave, uint k, uint begin, uint en
         const mask lanes = group_lanes(i, end);
         const natural id = choose(lanes, load_id(wave, i), (natural)(0u));
         State state = load_state(wave.state, i);
+        const TreeVertex vertex = estimator_look(e, state, load_hits(wave_hits(wave), i), lanes);
         real sum = load_sums(wave, id);
-        const Connection connection =
-            estimator_connection(e, &state, load_hits(wave_hits(wave), i), id, k, &sum, lanes);
+        const Connection connection = estimator_connection(e, vertex, &state, id, k, &sum, lanes);
         store_sums(wave, id, splat3(sum), mask_bits(lanes));
         store_connection(wave_connections(wave), i, connection);
         store_state(wave.state, i, state);
@@ -99,10 +101,25 @@ INLINE void stage_advance(Estimator e, WaveView wave, uint begin, uint end) {
         const mask lanes = group_lanes(i, end);
         const natural id = choose(lanes, load_id(wave, i), (natural)(0u));
         State state = load_state(wave.state, i);
-        const mask alive = estimator_advance(e, &state, load_hits(wave_hits(wave), i), id,
-                                             load_sums(wave, id), lanes);
+        const Hits hits = load_hits(wave_hits(wave), i);
+        const TreeVertex vertex = estimator_look(e, state, hits, lanes);
+        state.color = estimator_color(e, vertex, state, load_sums(wave, id), lanes);
+        const mask alive = estimator_advance(e, vertex, &state, hits, id, lanes);
         // A tree that has ended leaves its colour; one that goes on starts its next sum.
         store_sums(wave, id, choose(alive, zero3(), state.color), mask_bits(lanes));
+        store_state(wave.state, i, state);
+        store_alive(wave, i, alive);
+    }
+}
+
+// All of a vertex and its connections, and the next ray: for chunks that one work item owns.
+INLINE void stage_visit(Estimator e, WaveView wave, uint begin, uint end) {
+    for (uint i = begin; i < end; i += ONDE_WIDTH) {
+        const mask lanes = group_lanes(i, end);
+        const natural id = choose(lanes, load_id(wave, i), (natural)(0u));
+        State state = load_state(wave.state, i);
+        const mask alive = visit_node(e, &state, load_hits(wave_hits(wave), i), id, lanes);
+        store_sums(wave, id, state.color, mask_bits(lanes & !alive));
         store_state(wave.state, i, state);
         store_alive(wave, i, alive);
     }

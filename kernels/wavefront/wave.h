@@ -55,7 +55,7 @@ INLINE mask load_alive(WaveView wave, uint i) {
     return load_natural(column(wave.work, WORK_ALIVE, i)) != 0u;
 }
 INLINE void store_alive(WaveView wave, uint i, mask alive) {
-    store_natural(column(wave.work, WORK_ALIVE, i), choose(alive, (natural)(1u), (natural)(0u)));
+    store_natural(column(wave.work, WORK_ALIVE, i), one_for(alive));
 }
 
 // The first number of each sum, and all three: of estimators that read them back.

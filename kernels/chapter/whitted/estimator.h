@@ -18,6 +18,7 @@
 #define ESTIMATOR_CONNECTIONS CONNECTION_COLUMNS
 
 typedef WhittedRay State;
+typedef WhittedVertex TreeVertex;
 typedef struct {
     Connection connection;
     State next;
@@ -73,51 +74,63 @@ INLINE State estimator_start(Estimator e, natural id) {
     return whitted_root(e.view.frame, job_pixel(e.job, id), job_sample(e.job, id));
 }
 
-INLINE Connection node_connection(Estimator e, WhittedVertex v, SourcePlace place, natural id,
-                                  mask lanes) {
-    const real2 uv = grid_point(place.source, place.sample, sample_offset(job_sample(e.job, id)));
-    return sample_connection(e.w, v, place.source, uv, lit_lanes(v, lanes));
+// How many connections from the k-th on are samples of its source.
+INLINE uint estimator_same_source(Estimator e, uint k) {
+    const SourcePlace place = source_place(e.w, k);
+    return samples_of(place.source) - place.sample;
 }
 
-// The colour of a node without its sources and emission, and its first connection.
-OUTLINED Step estimator_vertex(Estimator e, State ray, Hits hits, natural id, uint bounce,
-                               mask lanes) {
-    const WhittedVertex v = whitted_vertex(e.view, e.w, ray, hits, lanes);
+// What the rays of `lanes` see at their hits. All functions below of a ray and its vertex take
+// both.
+INLINE TreeVertex estimator_look(Estimator e, State ray, Hits hits, mask lanes) {
+    return whitted_vertex(e.view, e.w, ray, hits, lanes);
+}
+
+// The colour of nodes without their sources and emission.
+INLINE real3 estimator_ambient(Estimator e, TreeVertex v, State ray, mask lanes) {
     const mask missed = missed_lanes(v, lanes), lit = lit_lanes(v, lanes);
-    Step step;
-    step.connection = no_connection();
-    step.next = ray;
-    step.next.color = zero3();
-    step.alive = lanes;
-    if_any (missed)
-        step.next.color = choose(missed, whitted_background(e.view, e.w, ray.direction), zero3());
-    if_any (lit) {
-        const real3 ambient = ambient_light(e.w, v, phong_color(e.view, e.w, v));
-        step.next.color = choose(lit, ambient, step.next.color);
-        if (e.w.settings->source_count > 0)
-            step.connection = node_connection(e, v, source_place(e.w, 0), id, lanes);
-    }
-    return step;
+    real3 color = zero3();
+    if_any (missed) color = choose(missed, whitted_background(e.view, e.w, ray.direction), color);
+    if_any (lit) color = choose(lit, ambient_light(e.w, v, phong_color(e.view, e.w, v)), color);
+    return color;
 }
 
 // Adds a source whose samples have all been answered to the colour of the nodes.
-INLINE real3 add_source(Estimator e, WhittedVertex v, __global const SourceRecord* source, real sum,
+INLINE real3 add_source(Estimator e, TreeVertex v, __global const SourceRecord* source, real sum,
                         real3 color, mask lanes) {
     const real3 light = mul3(phong_color(e.view, e.w, v), source_light(source, sum));
     return choose(lit_lanes(v, lanes), add_light(e.w, color, light), color);
 }
 
-// Connection k > 0; `sum` is that of the answers of its source so far.
-OUTLINED Connection estimator_connection(Estimator e, State* ray, Hits hits, natural id, uint k,
-                                         real* sum, mask lanes) {
-    const WhittedVertex v = whitted_vertex(e.view, e.w, *ray, hits, lanes);
-    if (!mask_bits(lit_lanes(v, lanes))) return no_connection();
+// Connection k of nodes whose colour so far is in `ray`; `sum` is that of the answers of its source
+// so far.
+INLINE Connection estimator_connection(Estimator e, TreeVertex v, State* ray, natural id, uint k,
+                                       real* sum, mask lanes) {
+    const mask lit = lit_lanes(v, lanes);
+    if (!mask_bits(lit)) return no_connection();
     const SourcePlace place = source_place(e.w, k);
-    if (place.sample == 0) {
+    if (place.sample == 0 && k > 0) {
         ray->color = add_source(e, v, place.source - 1, *sum, ray->color, lanes);
         *sum = choose(lanes, (real)(0.0f), *sum);
     }
-    return node_connection(e, v, place, id, lanes);
+    const real2 offset = sample_offset(job_sample(e.job, id));
+    return sample_connection(e.w, v, place.source, grid_point(place.source, place.sample, offset),
+                             lit);
+}
+
+// The first stage of nodes, where each stage is on its own.
+OUTLINED Step estimator_vertex(Estimator e, State ray, Hits hits, natural id, uint bounce,
+                               mask lanes) {
+    const TreeVertex v = estimator_look(e, ray, hits, lanes);
+    real sum = (real)(0.0f);
+    Step step;
+    step.alive = lanes;
+    step.next = ray;
+    step.next.color = estimator_ambient(e, v, ray, lanes);
+    step.connection = no_connection();
+    if (e.w.settings->source_count > 0)
+        step.connection = estimator_connection(e, v, &step.next, id, 0, &sum, lanes);
+    return step;
 }
 
 INLINE float estimator_transmittance(Estimator e, float3 origin, float3 direction, float distance) {
@@ -140,8 +153,7 @@ INLINE WhittedChild next_child(WhittedView w, WhittedVertex v, Node node, mask l
 }
 
 // The colour of nodes that have been answered: the last source, and emission.
-INLINE real3 own_color(Estimator e, State ray, Hits hits, real sum, mask lanes) {
-    const WhittedVertex v = whitted_vertex(e.view, e.w, ray, hits, lanes);
+INLINE real3 estimator_color(Estimator e, TreeVertex v, State ray, real sum, mask lanes) {
     const mask lit = lit_lanes(v, lanes);
     if (!mask_bits(lit)) return ray.color;
     real3 color = ray.color;
@@ -153,16 +165,14 @@ INLINE real3 own_color(Estimator e, State ray, Hits hits, real sum, mask lanes) 
 // From nodes whose own colour is known to the next ray of their trees: a child of theirs, or of a
 // node that waits for them. Returns the lanes whose trees go on; the others' are done, and `ray`
 // holds the colour of the root.
-OUTLINED mask estimator_advance(Estimator e, State* ray, Hits hits, natural id, real sum,
+OUTLINED mask estimator_advance(Estimator e, TreeVertex v, State* ray, Hits hits, natural id,
                                 mask lanes) {
     Node node;
     node.ray = *ray;
-    node.ray.color = own_color(e, *ray, hits, sum, lanes);
     node.hits = hits;
     node.next_child = (natural)(0u);
     mask searching = lanes, alive = lanes & !lanes;
     while (mask_bits(searching)) {
-        const WhittedVertex v = whitted_vertex(e.view, e.w, node.ray, node.hits, searching);
         const mask bottom = node.ray.level + 1u >= e.w.settings->max_depth;
         const mask done = searching & (bottom | (node.next_child >= most_children(e.w)));
         const mask trying = searching & !done;
@@ -177,6 +187,7 @@ OUTLINED mask estimator_advance(Estimator e, State* ray, Hits hits, natural id, 
         }
         const mask finished = done & (node.ray.level == 0u), leaving = done & !finished;
         ray->color = choose(finished, node.ray.color, ray->color);
+        searching = searching & !(descending | finished);
         if_any (leaving) {
             const real3 light = mul3(arrival_factor(e.w, node.ray, v), node.ray.color);
             Node parent = pop_node(e.stack, node.ray.level - 1u, id, leaving);
@@ -184,8 +195,8 @@ OUTLINED mask estimator_advance(Estimator e, State* ray, Hits hits, natural id, 
             node.ray = choose(leaving, parent.ray, node.ray);
             node.hits = choose(leaving, parent.hits, node.hits);
             node.next_child = choose(leaving, parent.next_child, node.next_child);
+            v = estimator_look(e, node.ray, node.hits, searching);
         }
-        searching = searching & !(descending | finished);
     }
     return alive;
 }

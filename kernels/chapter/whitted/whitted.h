@@ -135,8 +135,10 @@ INLINE Connection sample_connection(WhittedView w, WhittedVertex v,
     const SourceSample s = source_sample(source, uv, v.surface.position);
     const real cosine = dot3(v.surface.normal, s.direction);
     const mask lit = lanes & s.lit & (cosine > 0.0f);
-    const real phong = fma(PHONG(w, v, specular), sample_highlight(w, v, s, cosine),
-                           PHONG(w, v, diffuse) * cosine);
+    real phong = PHONG(w, v, diffuse) * cosine;
+    const real specular = PHONG(w, v, specular);
+    if_any (lit & (specular > 0.0f))
+        phong = fma(specular, sample_highlight(w, v, s, cosine), phong);
     Connection c;
     c.origin = whitted_exit(v, s.direction).origin;
     const mask finite = s.distance < SOURCE_INFINITY;

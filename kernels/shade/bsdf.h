@@ -7,11 +7,9 @@
 #include "shade/lobes/diffuse.h"
 #include "shade/lobes/glossy.h"
 
-// Bit LOBE_...: the lobes that some material of the scene has.
-#ifndef ONDE_LOBES
-    #define ONDE_LOBES 0xffffffffu
-#endif
-#define HAS_LOBE(NAME) (ONDE_LOBES >> LOBE_##NAME & 1u)
+// Whether some material of the scene is of these kinds, and whether all are.
+#define HAS_LOBE(kinds) (ONDE_KINDS & (kinds))
+#define ALL_HAVE_LOBE(kinds) (!(ONDE_KINDS & ~(kinds)))
 
 // The probability of a lobe that a material has is no smaller.
 #define LEAST_LOBE_PROBABILITY 0.1f
@@ -55,7 +53,7 @@ INLINE LobeSum lobes_from(uint first, LobeMasks there, LobeNumbers weight) {
     LobeSum sum;
     sum.weight = sum.count = (real)(0.0f);
 #define ADD_LOBE(NAME, name, Type, transmits, kinds)                                               \
-    if (HAS_LOBE(NAME) && LOBE_##NAME >= first) {                                                  \
+    if (HAS_LOBE(kinds) && LOBE_##NAME >= first) {                                                 \
         sum.weight += choose(there.name, weight.name, (real)(0.0f));                               \
         sum.count += choose(there.name, (real)(1.0f), (real)(0.0f));                               \
     }
@@ -65,13 +63,19 @@ INLINE LobeSum lobes_from(uint first, LobeMasks there, LobeNumbers weight) {
 }
 
 // The probability of choosing a lobe from `first` on, by what the lobes reflect.
-INLINE real lobe_reach(uint first, LobeMasks there, LobeNumbers weight) {
-    const LobeSum all = lobes_from(0, there, weight), from = lobes_from(first, there, weight);
+INLINE real lobe_reach(uint first, LobeSum all, LobeMasks there, LobeNumbers weight) {
+    const LobeSum from = lobes_from(first, there, weight);
     const real before = all.count - from.count;
     const real low = LEAST_LOBE_PROBABILITY * from.count;
     const real high = 1.0f - LEAST_LOBE_PROBABILITY * before;
     const real share = from.weight / max_real(all.weight, (real)(1e-6f));
     return choose(before > 0.0f, min_real(max_real(share, low), high), (real)(1.0f));
+}
+
+// The same where no more than one lobe is there.
+INLINE real only_lobe_reach(uint first, LobeSum all, LobeMasks there, LobeNumbers weight) {
+    const LobeSum from = lobes_from(first, there, weight);
+    return choose(all.count - from.count > 0.0f, (real)(0.0f), (real)(1.0f));
 }
 
 // cosine: of the view direction and the shading normal, > 0.
@@ -80,20 +84,30 @@ INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m, real cosine) {
     LobeMasks there;
     LobeNumbers weight;
 #define LOAD_LOBE(NAME, name, Type, transmits, kinds)                                              \
-    if (HAS_LOBE(NAME)) {                                                                          \
+    if (HAS_LOBE(kinds)) {                                                                         \
         b.name = name##_load(view, m);                                                             \
-        b.has.name = ((natural)(kinds) >> m.kind & 1u) != 0u;                                      \
+        b.has.name =                                                                               \
+            ALL_HAVE_LOBE(kinds) ? m.kind == m.kind : ((natural)(kinds) >> m.kind & 1u) != 0u;     \
         weight.name = name##_weight(b.name, cosine);                                               \
         there.name = b.has.name & (weight.name > 0.0f);                                            \
     }
     LOBES(LOAD_LOBE)
 #undef LOAD_LOBE
+    const LobeSum all = lobes_from(0, there, weight);
 #define CHOOSE_LOBE(NAME, name, Type, transmits, kinds)                                            \
-    if (HAS_LOBE(NAME)) {                                                                          \
-        b.reach.name = lobe_reach(LOBE_##NAME, there, weight);                                     \
-        b.probability.name = b.reach.name - lobe_reach(LOBE_##NAME + 1, there, weight);            \
+    if (HAS_LOBE(kinds)) {                                                                         \
+        b.reach.name = REACH(LOBE_##NAME, all, there, weight);                                     \
+        b.probability.name = b.reach.name - REACH(LOBE_##NAME + 1, all, there, weight);            \
     }
-    LOBES(CHOOSE_LOBE)
+    if_any (all.count > 1.0f) {
+#define REACH lobe_reach
+        LOBES(CHOOSE_LOBE)
+#undef REACH
+    } else {
+#define REACH only_lobe_reach
+        LOBES(CHOOSE_LOBE)
+#undef REACH
+    }
 #undef CHOOSE_LOBE
     return b;
 }
@@ -104,12 +118,11 @@ INLINE BsdfValue bsdf_eval(Bsdf b, real3 wo, real3 wi) {
     v.value = zero3();
     v.pdf = (real)(0.0f);
 #define EVAL_LOBE(NAME, name, Type, transmits, kinds)                                              \
-    if (HAS_LOBE(NAME)) {                                                                          \
+    if (HAS_LOBE(kinds)) {                                                                         \
         if_any (b.has.name) {                                                                      \
-            const LobeValue lobe = name##_eval(b.name, wo, wi);                                    \
-            const real pdf = name##_pdf(b.name, wo, wi);                                           \
-            v.value = choose(b.has.name, fma3(lobe.tint, lobe.value, v.value), v.value);           \
-            v.pdf = choose(b.has.name, fma(b.probability.name, pdf, v.pdf), v.pdf);                \
+            const LobeValue lobe = name##_eval(b.name, wo, wi, b.has.name);                        \
+            v.value = fma3(lobe.tint, lobe.value, v.value);                                        \
+            v.pdf = fma(b.probability.name, lobe.pdf, v.pdf);                                      \
         }                                                                                          \
     }
     LOBES(EVAL_LOBE)
@@ -124,7 +137,7 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     lobe.delta = lobe.valid = choice < 0.0f;
     real probability = (real)(1.0f);
 #define SAMPLE_LOBE(NAME, name, Type, transmits, kinds)                                            \
-    if (HAS_LOBE(NAME)) {                                                                          \
+    if (HAS_LOBE(kinds)) {                                                                         \
         const mask chosen = (choice < b.reach.name) & (b.probability.name > 0.0f);                 \
         if_any (chosen) {                                                                          \
             lobe = choose(chosen, name##_sample(b.name, wo, choice, u), lobe);                     \
@@ -137,8 +150,11 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     BsdfSample s;
     s.wi = lobe.wi;
     s.delta = lobe.delta;
-    s.weight = choose(lobe.delta, scale3(lobe.weight, 1.0f / max_real(probability, (real)(1e-9f))),
-                      scale3(v.value, 1.0f / max_real(v.pdf, (real)(1e-30f))));
+    s.weight = scale3(v.value, 1.0f / max_real(v.pdf, (real)(1e-30f)));
+    if_any (lobe.delta) {
+        const real inverse = 1.0f / max_real(probability, (real)(1e-9f));
+        s.weight = choose(lobe.delta, scale3(lobe.weight, inverse), s.weight);
+    }
     s.pdf = choose(lobe.delta, (real)(0.0f), v.pdf);
     s.valid = lobe.valid & (lobe.delta | (v.pdf > 0.0f));
     return s;
@@ -148,7 +164,7 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
 INLINE mask bsdf_transmits(Bsdf b) {
     mask passes = (mask)(0);
 #define ADD_LOBE(NAME, name, Type, transmits, kinds)                                               \
-    if (HAS_LOBE(NAME) && transmits) passes = passes | b.has.name;
+    if (HAS_LOBE(kinds) && transmits) passes = passes | b.has.name;
     LOBES(ADD_LOBE)
 #undef ADD_LOBE
     return passes;
@@ -157,7 +173,7 @@ INLINE mask bsdf_transmits(Bsdf b) {
 // The index below over the index above, where light is refracted; 1 elsewhere.
 INLINE real bsdf_eta(Bsdf b) {
     const real one = (real)(1.0f);
-    return HAS_LOBE(DIELECTRIC) ? choose(b.has.dielectric, b.dielectric.eta, one) : one;
+    return HAS_LOBE(OF_KIND(DIELECTRIC)) ? choose(b.has.dielectric, b.dielectric.eta, one) : one;
 }
 
 #endif

@@ -11,10 +11,6 @@
 #include "shade/lights/sphere.h"
 #include "shade/lights/triangle.h"
 
-// Bit LIGHT_...: the types of light that the scene has.
-#ifndef ONDE_LIGHTS
-    #define ONDE_LIGHTS 0xffffffffu
-#endif
 #define HAS_LIGHT(NAME) (ONDE_LIGHTS >> LIGHT_##NAME & 1u)
 
 // A light by its probability (Vose 1991), from one uniform number.

@@ -16,6 +16,13 @@
 #ifndef ONDE_ENVIRONMENT
     #define ONDE_ENVIRONMENT 1
 #endif
+// Bits MATERIAL_... and LIGHT_...
+#ifndef ONDE_KINDS
+    #define ONDE_KINDS 0xffffffffu
+#endif
+#ifndef ONDE_LIGHTS
+    #define ONDE_LIGHTS 0xffffffffu
+#endif
 
 #define VIEW_MEMBER(Type, name, words) __global const Type* name;
 typedef struct {

@@ -11,6 +11,7 @@
 #define MATERIAL_CONDUCTOR 1u
 #define MATERIAL_DIELECTRIC 2u
 #define MATERIAL_METALLIC_ROUGHNESS 3u
+#define MATERIAL_KIND_COUNT 4u
 
 // The lobes that a BSDF is the sum of, each once: LOBE(NAME, name, Type, transmits, kinds). `name`
 // has a file kernels/shade/lobes/name.h with its Type; `transmits` says whether light may pass the

@@ -7,30 +7,31 @@ constexpr uint32_t bit(uint32_t index) {
     return 1u << index;
 }
 
-constexpr uint32_t GLTF_LOBES = bit(LOBE_DIFFUSE) | bit(LOBE_GLOSSY);
+constexpr uint32_t ROOM_KINDS =
+    bit(MATERIAL_DIFFUSE) | bit(MATERIAL_CONDUCTOR) | bit(MATERIAL_DIELECTRIC);
 
 } // namespace
 
 std::vector<CommonFeatures> common_features() {
     const SceneFeatures room{
-        .spheres = true, .lobes = ALL_LOBES, .lights = bit(LIGHT_TRIANGLE), .stack_size = 64};
+        .spheres = true, .kinds = ROOM_KINDS, .lights = bit(LIGHT_TRIANGLE), .stack_size = 64};
     const SceneFeatures shapes{.instances = true,
                                .shapes = true,
                                .environment = true,
-                               .lobes = ALL_LOBES,
+                               .kinds = ROOM_KINDS,
                                .lights = bit(LIGHT_DISK) | bit(LIGHT_ENVIRONMENT),
                                .stack_size = 64};
     const SceneFeatures textured{.textures = true,
                                  .normal_maps = true,
                                  .environment = true,
-                                 .lobes = GLTF_LOBES,
+                                 .kinds = bit(MATERIAL_METALLIC_ROUGHNESS),
                                  .lights = bit(LIGHT_ENVIRONMENT),
                                  .stack_size = 64};
     SceneFeatures large = textured;
     large.stack_size = 96; // of some ten thousand triangles
     SceneFeatures everything = large;
     everything.instances = everything.spheres = true;
-    everything.lobes = ALL_LOBES;
+    everything.kinds = ALL_KINDS;
     everything.lights = bit(LIGHT_TRIANGLE) | bit(LIGHT_ENVIRONMENT);
     return {{"a closed room with spheres", room},
             {"analytic shapes", shapes},

@@ -16,21 +16,11 @@ std::vector<std::string> SceneFeatures::defines() const {
             fmt::format("ONDE_SHAPES={:d}", shapes),
             fmt::format("ONDE_TEXTURES={:d}", textures),
             fmt::format("ONDE_NORMAL_MAPS={:d}", normal_maps),
-            fmt::format("ONDE_LOBES={}", lobes),
+            fmt::format("ONDE_KINDS={}", kinds),
             fmt::format("ONDE_LIGHTS={}", lights),
             fmt::format("ONDE_ENVIRONMENT={:d}", environment),
             fmt::format("ONDE_WATERTIGHT={:d}", watertight),
             fmt::format("ONDE_STACK_SIZE={}", stack_size)};
-}
-
-/// Bits by lobe.
-static uint32_t lobes_of(MaterialKind kind) {
-    uint32_t lobes = 0;
-#define ONDE_LOBE(NAME, name, Type, transmits, kinds)                                              \
-    if ((kinds) >> uint32_t(kind) & 1) lobes |= 1u << LOBE_##NAME;
-    LOBES(ONDE_LOBE)
-#undef ONDE_LOBE
-    return lobes;
 }
 
 static SceneFeatures find_features(const Scene& scene, const PackedScene& packed) {
@@ -43,7 +33,7 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.textures = !scene.textures.empty();
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         features.normal_maps |= scene.materials[i].normal_texture != NO_TEXTURE;
-        features.lobes |= lobes_of(path_material(scene, i).kind);
+        features.kinds |= 1u << uint32_t(path_material(scene, i).kind);
     }
     for (const LightRecord& light : packed.lights) features.lights |= 1u << light.kind;
     features.environment = packed.environment_light != NO_INDEX;

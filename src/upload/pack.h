@@ -13,14 +13,14 @@
 
 namespace onde {
 
-inline constexpr uint32_t ALL_LOBES = (1u << LOBE_COUNT) - 1;
+inline constexpr uint32_t ALL_KINDS = (1u << MATERIAL_KIND_COUNT) - 1;
 inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
 
 /// What a scene needs of the kernels; the rest is not compiled.
 struct SceneFeatures {
     bool instances = false, spheres = false, shapes = false, textures = false, normal_maps = false;
     bool environment = false;
-    uint32_t lobes = 0;  ///< bits by LOBE_...
+    uint32_t kinds = 0;  ///< bits by MATERIAL_...
     uint32_t lights = 0; ///< bits by LIGHT_...
     uint32_t stack_size = 1;
     bool watertight = false;

@@ -42,7 +42,7 @@ inline SceneFeatures all_features() {
             .textures = true,
             .normal_maps = true,
             .environment = true,
-            .lobes = ALL_LOBES,
+            .kinds = ALL_KINDS,
             .lights = ALL_LIGHTS,
             .stack_size = 192};
 }

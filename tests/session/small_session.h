@@ -72,7 +72,7 @@ inline SessionOptions small_session(IntegratorKind integrator = IntegratorKind::
                                      .textures = true,
                                      .normal_maps = true,
                                      .environment = true,
-                                     .lobes = ALL_LOBES,
+                                     .kinds = ALL_KINDS,
                                      .lights = ALL_LIGHTS,
                                      .stack_size = 192};
     return options;

@@ -54,29 +54,29 @@ INLINE Boundary boundary_between(DielectricLobe lobe, real3 wo, real3 wi) {
     // Walter's denominator, in units of the transmitted index.
     const real spread = b.in + b.out / lobe.eta;
     b.jacobian = fabs(b.in) / (spread * spread);
-    b.possible = (b.out > 0.0f) & (choose(b.below, -b.in, b.in) > 0.0f) & (wi.z != 0.0f) &
-                 (lobe.alpha >= SMOOTH_ALPHA);
+    b.possible = (b.out > 0.0f) & (choose(b.below, -b.in, b.in) > 0.0f) & (wi.z != 0.0f);
     return b;
 }
 
-INLINE LobeValue dielectric_eval(DielectricLobe lobe, real3 wo, real3 wi) {
+INLINE LobeValue dielectric_eval(DielectricLobe lobe, real3 wo, real3 wi, mask lanes) {
+    const mask rough = lanes & (lobe.alpha >= SMOOTH_ALPHA);
+    LobeValue v = no_lobe_value();
+    if (!mask_bits(rough)) return v;
     const Boundary b = boundary_between(lobe, wo, wi);
+    const mask possible = rough & b.possible;
     const real body =
         ggx_distribution(b.h, lobe.alpha) * ggx_masking_shadowing(wo, wi, lobe.alpha) / wo.z;
     const real refracted = (1.0f - b.fresnel) * body * b.out * b.jacobian;
     const real3 tint = choose(b.below, lobe.tint, splat3((real)(1.0f)));
-    LobeValue v;
-    v.tint = choose(b.possible, tint, zero3());
+    v.tint = choose(possible, tint, v.tint);
     v.value = splat3(choose(b.below, refracted / (lobe.eta * lobe.eta), b.fresnel * body * 0.25f));
-    v.value = choose(b.possible, v.value, zero3());
-    return v;
-}
-INLINE real dielectric_pdf(DielectricLobe lobe, real3 wo, real3 wi) {
-    const Boundary b = boundary_between(lobe, wo, wi);
+    v.value = choose(possible, v.value, zero3());
+
     const real visible = pdf_visible_normal(wo, b.h, lobe.alpha);
-    const real reflected = b.fresnel * visible / (4.0f * max_real(b.out, (real)(1e-9f)));
-    const real pdf = choose(b.below, (1.0f - b.fresnel) * visible * b.jacobian, reflected);
-    return choose(b.possible, pdf, (real)(0.0f));
+    const real mirrored = b.fresnel * visible / (4.0f * max_real(b.out, (real)(1e-9f)));
+    const real pdf = choose(b.below, (1.0f - b.fresnel) * visible * b.jacobian, mirrored);
+    v.pdf = choose(possible, pdf, v.pdf);
+    return v;
 }
 
 // Reflects with the Fresnel probability, else refracts, about a visible normal (the macroscopic

@@ -4,13 +4,16 @@
 
 #include "shade/lobes/glossy.h"
 
+// Whether some diffuse lobe has a coat.
+#define HAS_COATS (ONDE_KINDS & OF_KIND(METALLIC_ROUGHNESS))
+
 typedef struct {
     real3 albedo;
     GlossyLobe coat; // its Fresnel term is 0 where there is none
 } DiffuseLobe;
 
 INLINE DiffuseLobe diffuse_load(SceneView view, MaterialPoint m) {
-    const mask bare = m.kind == MATERIAL_DIFFUSE;
+    const mask bare = is_of_kind(m, MATERIAL_DIFFUSE);
     DiffuseLobe lobe;
     lobe.albedo = scale3(m.color, 1.0f - choose(bare, (real)(0.0f), m.metallic));
     lobe.coat = glossy_load(view, m);
@@ -19,20 +22,19 @@ INLINE DiffuseLobe diffuse_load(SceneView view, MaterialPoint m) {
     return lobe;
 }
 INLINE real diffuse_weight(DiffuseLobe lobe, real cosine) {
-    return luminance3(lobe.albedo) * (1.0f - luminance3(glossy_fresnel(lobe.coat, cosine)));
+    const real albedo = luminance3(lobe.albedo);
+    return HAS_COATS ? albedo * (1.0f - luminance3(glossy_fresnel(lobe.coat, cosine))) : albedo;
 }
 
-INLINE LobeValue diffuse_eval(DiffuseLobe lobe, real3 wo, real3 wi) {
-    const real3 coat = glossy_fresnel(lobe.coat, dot3(wo, half_vector(wo, wi)));
-    const mask above = wi.z > 0.0f;
+INLINE LobeValue diffuse_eval(DiffuseLobe lobe, real3 wo, real3 wi, mask lanes) {
+    const mask above = lanes & (wi.z > 0.0f);
     LobeValue v;
-    v.tint = make3(1.0f - coat.x, 1.0f - coat.y, 1.0f - coat.z);
-    v.value = scale3(lobe.albedo, max_real(wi.z, (real)(0.0f)) * INV_PI);
+    v.tint = splat3((real)(1.0f));
+    if (HAS_COATS) v.tint = sub3(v.tint, glossy_fresnel(lobe.coat, dot3(wo, half_vector(wo, wi))));
     v.tint = choose(above, v.tint, zero3());
+    v.value = scale3(lobe.albedo, choose(above, wi.z, (real)(0.0f)) * INV_PI);
+    v.pdf = choose(above, pdf_cosine_hemisphere(wi.z), (real)(0.0f));
     return v;
-}
-INLINE real diffuse_pdf(DiffuseLobe lobe, real3 wo, real3 wi) {
-    return choose(wi.z > 0.0f, pdf_cosine_hemisphere(wi.z), (real)(0.0f));
 }
 INLINE LobeSample diffuse_sample(DiffuseLobe lobe, real3 wo, real choice, real2 u) {
     LobeSample s;

@@ -16,7 +16,7 @@ typedef struct {
 } GlossyLobe;
 
 INLINE GlossyLobe glossy_load(SceneView view, MaterialPoint m) {
-    const real metallic = choose(m.kind == MATERIAL_CONDUCTOR, (real)(1.0f), m.metallic);
+    const real metallic = choose(is_of_kind(m, MATERIAL_CONDUCTOR), (real)(1.0f), m.metallic);
     GlossyLobe lobe;
     lobe.f0 = mix3(splat3((real)(DIELECTRIC_F0)), m.color, metallic);
     lobe.f90 = (real)(1.0f);
@@ -32,27 +32,19 @@ INLINE real glossy_weight(GlossyLobe lobe, real cosine) {
 }
 
 // Fresnel's factor, and D G / (4 cos_o cos_i) times cos_i.
-INLINE LobeValue glossy_eval(GlossyLobe lobe, real3 wo, real3 wi) {
-    const mask seen = (lobe.alpha >= SMOOTH_ALPHA) & (wi.z > 0.0f);
+INLINE LobeValue glossy_eval(GlossyLobe lobe, real3 wo, real3 wi, mask lanes) {
+    const mask seen = lanes & (lobe.alpha >= SMOOTH_ALPHA) & (wi.z > 0.0f);
     LobeValue v = no_lobe_value();
     if_any (seen) {
         const real3 h = half_vector(wo, wi);
-        const real body =
-            ggx_distribution(h, lobe.alpha) * ggx_masking_shadowing(wo, wi, lobe.alpha);
+        const real d = ggx_distribution(h, lobe.alpha);
+        const real g = ggx_masking_shadowing(wo, wi, lobe.alpha);
+        const real visible = ggx_masking(wo, lobe.alpha) * d;
         v.tint = choose(seen, glossy_fresnel(lobe, dot3(wo, h)), v.tint);
-        v.value = choose(seen, splat3(body / (4.0f * wo.z)), v.value);
+        v.value = choose(seen, splat3(d * g / (4.0f * wo.z)), v.value);
+        v.pdf = choose(seen, visible / (4.0f * wo.z), v.pdf);
     }
     return v;
-}
-INLINE real glossy_pdf(GlossyLobe lobe, real3 wo, real3 wi) {
-    const mask seen = (lobe.alpha >= SMOOTH_ALPHA) & (wi.z > 0.0f);
-    real pdf = (real)(0.0f);
-    if_any (seen) {
-        const real body =
-            ggx_masking(wo, lobe.alpha) * ggx_distribution(half_vector(wo, wi), lobe.alpha);
-        pdf = choose(seen, body / (4.0f * wo.z), pdf);
-    }
-    return pdf;
 }
 INLINE LobeSample glossy_sample(GlossyLobe lobe, real3 wo, real choice, real2 u) {
     const real3 h = sample_visible_normal(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), u);

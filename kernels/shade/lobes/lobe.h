@@ -2,8 +2,8 @@
 // above. A lobe `name` is a file of this folder and a line of LOBES in shared/scene.h:
 //   name_load(view, point)              its numbers, from a material's
 //   name_weight(lobe, cosine)           about how much it reflects, for the choice among lobes
-//   name_eval(lobe, wo, wi)             BSDF times cosine, without its delta part
-//   name_pdf(lobe, wo, wi)              the density of name_sample, without its delta part
+//   name_eval(lobe, wo, wi, lanes)      BSDF times cosine, and the density of name_sample, both
+//                                       without their delta part; nothing in other lanes
 //   name_sample(lobe, wo, choice, u)    a direction
 #ifndef ONDE_SHADE_LOBES_LOBE_H
 #define ONDE_SHADE_LOBES_LOBE_H
@@ -24,9 +24,15 @@ typedef struct {
     mask front; // whether its front is seen
 } MaterialPoint;
 
-// The value is the product; the sum of lobes rounds once.
+// Whether it is of a kind; the answer is known where no material of the scene is.
+INLINE mask is_of_kind(MaterialPoint m, uint kind) {
+    return ONDE_KINDS >> kind & 1u ? m.kind == kind : m.kind != m.kind;
+}
+
+// BSDF times cosine is the product of tint and value; the sum of lobes rounds once.
 typedef struct {
     real3 tint, value;
+    real pdf;
 } LobeValue;
 
 typedef struct {
@@ -48,6 +54,7 @@ OVERLOAD LobeSample choose(mask m, LobeSample a, LobeSample b) {
 INLINE LobeValue no_lobe_value(void) {
     LobeValue v;
     v.tint = v.value = zero3();
+    v.pdf = (real)(0.0f);
     return v;
 }
 

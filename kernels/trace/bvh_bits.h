@@ -16,6 +16,13 @@
 #define min_fast(a, b) ((a) < (b) ? (a) : (b))
 #define max_fast(a, b) ((a) > (b) ? (a) : (b))
 
+// The lanes whose bit is set.
+INLINE int16 lanes16(uint bits) {
+    const int16 places = (int16)(0x1, 0x2, 0x4, 0x8, 0x10, 0x20, 0x40, 0x80, 0x100, 0x200, 0x400,
+                                 0x800, 0x1000, 0x2000, 0x4000, 0x8000);
+    return ((int16)((int)bits) & places) != 0;
+}
+
 // One bit per lane where a <= b.
 INLINE uint lower_bits16(float16 a, float16 b) {
 #if ONDE_AVX512

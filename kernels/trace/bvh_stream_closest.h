@@ -3,7 +3,7 @@
 #ifndef ONDE_TRACE_BVH_STREAM_CLOSEST_H
 #define ONDE_TRACE_BVH_STREAM_CLOSEST_H
 
-#include "trace/bvh_stream.h"
+#include "trace/bvh_beam.h"
 
 // Closest hits so far, rows by ray; `t` is t_max where there is none.
 typedef struct {
@@ -39,34 +39,58 @@ INLINE uint entry_rays(ulong entry) {
     return (uint)(entry >> 32) & 0xffffu;
 }
 
-// Where the rays enter one box by one axis, and leave it. `select` goes by the sign of the inverse.
-INLINE float16 box_entry(__global const float* box, uint axis, const StreamRays* rays) {
+// Where the rays cross the planes of an axis of one box that they come to first, and last, by the
+// sign of the inverse.
+INLINE float16 near_planes(__global const float* box, uint axis, const StreamRays* rays) {
     const float16 low = box[32 * axis], high = box[32 * axis + 16];
-    const float16 inverse = vload16(0, rays->inverse[axis]);
-    return fma(select(low, high, as_int16(inverse)), inverse, vload16(0, rays->near[axis]));
+    return select(low, high, as_int16(vload16(0, rays->inverse[axis])));
 }
-INLINE float16 box_exit(__global const float* box, uint axis, const StreamRays* rays) {
+INLINE float16 far_planes(__global const float* box, uint axis, const StreamRays* rays) {
     const float16 low = box[32 * axis], high = box[32 * axis + 16];
-    const float16 inverse = vload16(0, rays->inverse[axis]);
-    return fma(select(high, low, as_int16(inverse)), inverse, vload16(0, rays->far[axis]));
+    return select(high, low, as_int16(vload16(0, rays->inverse[axis])));
 }
 
-// All rays against the box in a slot of a node: as span_boxes, ray by ray.
-INLINE BoxSpans span_rays(__global const float* box, const StreamRays* rays, const float* entry,
-                          const float* t_max) {
-    const float16 near_xy = max_fast(box_entry(box, 0, rays), box_entry(box, 1, rays));
-    const float16 near_zt = max_fast(box_entry(box, 2, rays), vload16(0, entry));
-    const float16 far_xy = min_fast(box_exit(box, 0, rays), box_exit(box, 1, rays));
-    const float16 far_zt = min_fast(box_exit(box, 2, rays), vload16(0, t_max));
+INLINE BoxSpans span_planes(Vectors16 near, Vectors16 far, const StreamRays* rays,
+                            const float* entry, const float* t_max) {
+    const float16 x = vload16(0, rays->inverse[0]), y = vload16(0, rays->inverse[1]),
+                  z = vload16(0, rays->inverse[2]);
+    const float16 near_x = fma(near.x, x, vload16(0, rays->near[0]));
+    const float16 near_y = fma(near.y, y, vload16(0, rays->near[1]));
+    const float16 near_z = fma(near.z, z, vload16(0, rays->near[2]));
+    const float16 far_x = fma(far.x, x, vload16(0, rays->far[0]));
+    const float16 far_y = fma(far.y, y, vload16(0, rays->far[1]));
+    const float16 far_z = fma(far.z, z, vload16(0, rays->far[2]));
+    const float16 near_xy = max_fast(near_x, near_y), near_zt = max_fast(near_z, vload16(0, entry));
+    const float16 far_xy = min_fast(far_x, far_y), far_zt = min_fast(far_z, vload16(0, t_max));
     const BoxSpans spans = {max_fast(near_xy, near_zt), min_fast(far_xy, far_zt)};
     return spans;
 }
 
-// Pushes the children that rays in `bits` meet, the nearest last.
-INLINE uint push_nearest_last(ulong* stack, uint size, BvhView bvh, uint word,
-                              const StreamRays* rays, const float* entry, const float* t_max,
-                              uint bits) {
-    __global const uchar* node = bvh_node(bvh, word);
+// All rays against the box in a slot of a node: as span_boxes, ray by ray.
+INLINE BoxSpans span_rays(__global const float* box, const StreamRays* rays, const Beam* beam,
+                          const float* entry, const float* t_max) {
+    if (beam->valid) {
+        const uint x = beam->plane.x / 4, y = beam->plane.y / 4, z = beam->plane.z / 4;
+        const Vectors16 near = {box[x], box[y], box[z]};
+        const Vectors16 far = {box[x ^ 16], box[y ^ 16], box[z ^ 16]};
+        return span_planes(near, far, rays, entry, t_max);
+    }
+    const Vectors16 near = {near_planes(box, 0, rays), near_planes(box, 1, rays),
+                            near_planes(box, 2, rays)};
+    const Vectors16 far = {far_planes(box, 0, rays), far_planes(box, 1, rays),
+                           far_planes(box, 2, rays)};
+    return span_planes(near, far, rays, entry, t_max);
+}
+
+// What the rays meet of the children of a node: which of the rays, and where about.
+typedef struct {
+    uint rays[BVH_WIDTH] __attribute__((aligned(64)));
+    float near[BVH_WIDTH] __attribute__((aligned(64)));
+} ChildrenMet;
+
+// Ray by ray against all children. Returns those that are met.
+INLINE uint meet_ray_by_ray(__global const uchar* node, const StreamRays* rays, const float* entry,
+                            const float* t_max, uint bits, ChildrenMet* children) {
     int16 met = 0;
     float16 nearest = INFINITY;
     for (; bits; bits &= bits - 1) {
@@ -76,16 +100,35 @@ INLINE uint push_nearest_last(ulong* stack, uint size, BvhView bvh, uint word,
         met |= meets & ray_bit16(r);
         nearest = meets ? spans.near : nearest;
     }
-    uint rays_of[BVH_WIDTH] __attribute__((aligned(64)));
-    float near_of[BVH_WIDTH] __attribute__((aligned(64)));
-    *(uint16*)rays_of = as_uint16(met);
-    *(float16*)near_of = nearest;
+    *(uint16*)children->rays = as_uint16(met);
+    *(float16*)children->near = nearest;
+    return bits16(met != 0);
+}
+
+// Those in the way of the rays' beam, whichever rays meet them.
+INLINE uint meet_as_beam(NodeHits way, uint bits, ChildrenMet* children) {
+    *(uint16*)children->rays = (uint16)(bits);
+    *(float16*)children->near = way.near;
+    return way.bits;
+}
+
+// Pushes the children that rays in `bits` meet, the nearest last.
+INLINE uint push_nearest_last(ulong* stack, uint size, BvhView bvh, uint word,
+                              const StreamRays* rays, const Beam* beam, const float* entry,
+                              const float* t_max, uint bits) {
+    __global const uchar* node = bvh_node(bvh, word);
+    ChildrenMet met;
+    NodeHits way = {0.0f, 0xffffu};
+    if (beam->valid) way = beam_meets_node(node, beam);
+    uint slots = popcount(way.bits) < popcount(bits)
+                     ? meet_as_beam(way, bits, &met)
+                     : meet_ray_by_ray(node, rays, entry, t_max, bits, &met);
     __global const uint* children = bvh_children(node);
     const uint first = size;
-    for (uint slots = bits16(met != 0); slots; slots &= slots - 1) {
+    for (; slots; slots &= slots - 1) {
         const uint slot = lowest_bit(slots);
         bvh_prefetch(bvh, children[slot]);
-        const ulong waiting = slot_entry(near_of[slot], rays_of[slot], word, slot);
+        const ulong waiting = slot_entry(met.near[slot], met.rays[slot], word, slot);
         uint i = size++;
         for (; i > first && stack[i - 1] < waiting; i--) stack[i] = stack[i - 1];
         stack[i] = waiting;
@@ -93,7 +136,7 @@ INLINE uint push_nearest_last(ulong* stack, uint size, BvhView bvh, uint word,
     return size;
 }
 
-// The rays in `bits` against a block of triangles.
+// The rays in `bits` against a block of triangles, ray by ray.
 INLINE void meet_block(__global const uchar* block, const StreamRays* rays, const float* t_min,
                        const float* near, uint instance, StreamHits* hits, uint bits) {
     const BlockTriangles triangles = block_triangles(block);
@@ -109,11 +152,58 @@ INLINE void meet_block(__global const uchar* block, const StreamRays* rays, cons
     }
 }
 
+// From so many rays on a block is tested triangle by triangle. A triangle costs two vectors of 8
+// rays, or one of 16, and a ray one of 8 triangles, of which six or so are there.
+#define STREAM_MANY (ONDE_AVX512 ? 7 : 13)
+
+INLINE Vectors16 stream_vectors(const float rows[3][OCCLUDED_WIDTH]) {
+    const Vectors16 vectors = {vload16(0, rows[0]), vload16(0, rows[1]), vload16(0, rows[2])};
+    return vectors;
+}
+INLINE Vectors16 splat16(__global const float* rows, uint i) {
+    const Vectors16 vectors = {(float16)(rows[i]), (float16)(rows[8 + i]), (float16)(rows[16 + i])};
+    return vectors;
+}
+
+// As meet_block, triangle by triangle.
+INLINE void meet_triangles(__global const uchar* block, const StreamRays* rays, const float* t_min,
+                           const float* near, uint instance, StreamHits* hits, uint bits) {
+    __global const float* rows = (__global const float*)block;
+    const Vectors16 origin = stream_vectors(rays->origin);
+    const Vectors16 direction = stream_vectors(rays->direction);
+    for (uint i = 0; i < BVH_LEAF_WIDTH; i++) {
+        const uint primitive = as_uint(rows[72 + i]);
+        if (primitive == BVH_NONE) return;
+        const TriangleTest16 test = leaf_test16(origin, direction, splat16(rows, i),
+                                                splat16(rows + 24, i), splat16(rows + 48, i));
+        if (!(bits & ~sign_bits16(test.outside))) continue;
+        const float16 t_max = vload16(0, hits->t);
+        const int16 miss = miss16(test, vload16(0, t_min), t_max);
+        if (!(bits & ~sign_bits16(miss))) continue;
+        const float16 inverse = 1.0f / test.determinant;
+        const float16 t = test.t * inverse, from_box = max_fast(t, vload16(0, near));
+        const uint16 primitives = vload16(0, hits->primitive);
+        const uint16 instances = vload16(0, hits->instance);
+        const int16 first = ((uint16)(primitive) < primitives) |
+                            (((uint16)(primitive) == primitives) & (instance < instances));
+        const int16 closer = lanes16(bits) & (miss >= 0) & (t > vload16(0, t_min)) &
+                             ((from_box < t_max) | ((from_box == t_max) & first));
+        vstore16(closer ? from_box : t_max, 0, hits->t);
+        vstore16(closer ? test.u * inverse : vload16(0, hits->u), 0, hits->u);
+        vstore16(closer ? test.v * inverse : vload16(0, hits->v), 0, hits->v);
+        vstore16(closer ? (uint16)(primitive) : primitives, 0, hits->primitive);
+        vstore16(closer ? (uint16)(instance) : instances, 0, hits->instance);
+    }
+}
+
 // The rays in `bits` against what hangs in a leaf.
 INLINE void meet_leaf(BvhView bvh, uint word, const StreamRays* rays, const float* t_min,
                       const float* near, uint instance, StreamHits* hits, uint bits) {
     if ((word & BVH_KIND_MASK) == BVH_LEAF_TRIANGLES) {
-        meet_block(bvh_block(bvh, word), rays, t_min, near, instance, hits, bits);
+        if (popcount(bits) < STREAM_MANY)
+            meet_block(bvh_block(bvh, word), rays, t_min, near, instance, hits, bits);
+        else
+            meet_triangles(bvh_block(bvh, word), rays, t_min, near, instance, hits, bits);
         return;
     }
 #if ONDE_SPHERES || ONDE_SHAPES
@@ -169,6 +259,8 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
     float near[STREAM_WIDTH] __attribute__((aligned(64)));
     const float* entry = t_min; // no box of the current tree is entered earlier
     uint instance = BVH_NONE;
+    Beam beam;
+    make_beam(&beam, rays, t_min, here);
 #if ONDE_INSTANCES
     StreamRays inside;
     float inside_entry[STREAM_WIDTH] __attribute__((aligned(64)));
@@ -184,7 +276,7 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
                 go_on_alone(bvh, word, rays, t_min, near, entry, instance, stack + size, hits,
                             here);
             else
-                size = push_nearest_last(stack, size, bvh, word, rays, entry, hits->t, here);
+                size = push_nearest_last(stack, size, bvh, word, rays, &beam, entry, hits->t, here);
         }
 #if ONDE_INSTANCES
         else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE && here) {
@@ -192,6 +284,7 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
             __global const BvhInstance* placed = bvh.instances + instance;
             place_stream(&inside, world, placed, 1);
             rays = &inside;
+            make_beam(&beam, rays, t_min, here);
             *(float16*)inside_entry = *(float16*)near;
             entry = inside_entry;
             stack[size++] = STACK_LEAVE_INSTANCE;
@@ -208,6 +301,7 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
             instance = BVH_NONE;
             rays = world;
             entry = t_min;
+            make_beam(&beam, rays, t_min, bits);
             here = 0;
             continue;
         }
@@ -215,7 +309,7 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
         const uint slot = (uint)waiting % BVH_WIDTH;
         __global const uchar* parent = bvh_node(bvh, (uint)waiting / BVH_WIDTH);
         const BoxSpans spans =
-            span_rays((__global const float*)parent + slot, rays, entry, hits->t);
+            span_rays((__global const float*)parent + slot, rays, &beam, entry, hits->t);
         *(float16*)near = spans.near;
         here = bits16(spans.near <= spans.far) & entry_rays(waiting);
         word = bvh_children(parent)[slot];

@@ -17,10 +17,13 @@
 #ifndef ONDE_WIDTH
     #define ONDE_WIDTH 1
 #endif
-#ifndef ONDE_AVX512
+// Machine instructions: where the host says so and the compiler, which may aim lower, has them.
+#if !ONDE_AVX512 || !defined(__AVX512F__) || !defined(__AVX512VL__) || !defined(__AVX512DQ__)
+    #undef ONDE_AVX512
     #define ONDE_AVX512 0
 #endif
-#ifndef ONDE_AVX2
+#if !ONDE_AVX2 || !defined(__AVX2__)
+    #undef ONDE_AVX2
     #define ONDE_AVX2 0
 #endif
 

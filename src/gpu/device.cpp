@@ -42,6 +42,17 @@ void learn_host_cpu(DeviceFacts& facts) {
 #endif
 }
 
+/// PoCL may compile for less than the host has (POCL_KERNELLIB_NAME): its device's name then names
+/// one of the processors that Debian's kernel libraries are for.
+void learn_pocl_target(DeviceFacts& facts) {
+    const auto aims_at = [&](const char* cpu) {
+        return facts.name.find(fmt::format("-{}-", cpu)) != std::string::npos;
+    };
+    for (const char* older : {"sandybridge", "ivybridge", "bdver1", "penryn", "core2", "athlon64"})
+        if (aims_at(older)) facts.avx2 = facts.avx512 = false;
+    if (aims_at("haswell")) facts.avx512 = false;
+}
+
 /// Why a device that answers is still of no use to us, or nothing.
 std::string shortcoming(const cl::Device& device) {
     if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return "the driver says it is not available";
@@ -85,6 +96,7 @@ DeviceFacts device_facts(const cl::Device& device, const PlatformReport& platfor
     facts.is_pocl = is_pocl(platform);
     facts.is_intel = platform.name.find("Intel(R) OpenCL") != std::string::npos;
     ask(facts.problem, [&] { learn_device(device, facts); });
+    if (facts.is_pocl) learn_pocl_target(facts);
     if (facts.name.empty()) facts.name = "unnamed device";
     return facts;
 }

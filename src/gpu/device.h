@@ -19,7 +19,7 @@ struct DeviceFacts {
     std::string platform, platform_version;
     bool is_cpu = false, is_gpu = false; ///< not both
     bool is_pocl = false, is_intel = false;
-    bool avx2 = false, avx512 = false; ///< of the host, where the device is a CPU
+    bool avx2 = false, avx512 = false; ///< of the host and PoCL's target, on a CPU
     bool unified_memory = false;       ///< the host's memory is the device's own
     uint32_t compute_units = 0;
     uint64_t global_memory = 0;  ///< bytes

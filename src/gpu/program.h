@@ -168,7 +168,7 @@ class Programs {
 /// The compiler options that follow from the device alone: language version, argument info, correct
 /// rounding, and ONDE_CPU, ONDE_AVX2, ONDE_AVX512 as 0 or 1, each option as "-D..." or "-cl-...".
 /// The latter two are 1 only on PoCL on x86, whose compiler takes x86 builtins; kernels also ask
-/// __AVX512F__ and the like, since POCL_LLVM_CPU_NAME may aim PoCL lower than the host.
+/// __AVX512F__ and the like, as a compiler may aim lower than the host.
 std::vector<std::string> device_options(const DeviceFacts& facts);
 
 } // namespace onde::gpu

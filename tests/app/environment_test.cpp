@@ -68,3 +68,21 @@ TEST_CASE("where no folder takes what PoCL compiles, one sentence says so") {
                                             "/proc/nowhere, where it cannot write"));
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
 }
+
+TEST_CASE("PoCL that is told to compile for an older processor gives the same picture") {
+    const Folder folder;
+    const auto picture = [&](const std::string& name, Environment environment) {
+        environment["ONDE_DEVICE"] = "Portable";
+        return onde::test::onde(folder,
+                                {"render", CORNELL, "--size", "16x12", "--spp", "1", "--quiet",
+                                 "--float", "-o", name},
+                                environment);
+    };
+    REQUIRE(picture("own.exr", {}).code == 0);
+    for (const std::string kernels : {"avx2", "sse2"}) {
+        INFO(kernels);
+        REQUIRE(picture("older.exr", {{"POCL_KERNELLIB_NAME", kernels}}).code == 0);
+        const Outcome compared = onde::test::onde(folder, {"compare", "own.exr", "older.exr"});
+        CHECK_THAT(compared.out, Catch::Contains("RMSE         0\n"));
+    }
+}

@@ -8,7 +8,7 @@
 // The lobes, each chosen with its probability.
 INLINE void report_bsdf(__global BounceReport* report, Bsdf b) {
 #define REPORT_LOBE(NAME, name, Type, transmits, kinds)                                            \
-    report->probability[LOBE_##NAME] = HAS_LOBE(kinds) ? b.probability.name : 0.0f;
+    report->probability[LOBE_##NAME] = HAS_LOBE(NAME) ? b.probability.name : 0.0f;
     LOBES(REPORT_LOBE)
 #undef REPORT_LOBE
     report3(report->diffuse, HAS_LOBE(DIFFUSE) ? b.diffuse.albedo : zero3());

@@ -7,9 +7,12 @@
 #include "shade/lobes/diffuse.h"
 #include "shade/lobes/glossy.h"
 
-// Whether some material of the scene is of these kinds, and whether all are.
-#define HAS_LOBE(kinds) (ONDE_KINDS & (kinds))
-#define ALL_HAVE_LOBE(kinds) (!(ONDE_KINDS & ~(kinds)))
+#define LOBE_KINDS(NAME, name, Type, transmits, kinds) KINDS_WITH_##NAME = (kinds),
+enum { LOBES(LOBE_KINDS) };
+
+// Whether some material of the scene has a lobe, and whether all have it.
+#define HAS_LOBE(NAME) (ONDE_KINDS & KINDS_WITH_##NAME)
+#define ALL_HAVE_LOBE(NAME) (!(ONDE_KINDS & ~KINDS_WITH_##NAME))
 
 // The probability of a lobe that a material has is no smaller.
 #define LEAST_LOBE_PROBABILITY 0.1f
@@ -53,7 +56,7 @@ INLINE LobeSum lobes_from(uint first, LobeMasks there, LobeNumbers weight) {
     LobeSum sum;
     sum.weight = sum.count = (real)(0.0f);
 #define ADD_LOBE(NAME, name, Type, transmits, kinds)                                               \
-    if (HAS_LOBE(kinds) && LOBE_##NAME >= first) {                                                 \
+    if (HAS_LOBE(NAME) && LOBE_##NAME >= first) {                                                  \
         sum.weight += choose(there.name, weight.name, (real)(0.0f));                               \
         sum.count += choose(there.name, (real)(1.0f), (real)(0.0f));                               \
     }
@@ -84,10 +87,10 @@ INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m, real cosine) {
     LobeMasks there;
     LobeNumbers weight;
 #define LOAD_LOBE(NAME, name, Type, transmits, kinds)                                              \
-    if (HAS_LOBE(kinds)) {                                                                         \
+    if (HAS_LOBE(NAME)) {                                                                          \
         b.name = name##_load(view, m);                                                             \
-        b.has.name =                                                                               \
-            ALL_HAVE_LOBE(kinds) ? m.kind == m.kind : ((natural)(kinds) >> m.kind & 1u) != 0u;     \
+        b.has.name = ALL_HAVE_LOBE(NAME) ? m.kind == m.kind                                        \
+                                         : ((natural)(KINDS_WITH_##NAME) >> m.kind & 1u) != 0u;    \
         weight.name = name##_weight(b.name, cosine);                                               \
         there.name = b.has.name & (weight.name > 0.0f);                                            \
     }
@@ -95,7 +98,7 @@ INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m, real cosine) {
 #undef LOAD_LOBE
     const LobeSum all = lobes_from(0, there, weight);
 #define CHOOSE_LOBE(NAME, name, Type, transmits, kinds)                                            \
-    if (HAS_LOBE(kinds)) {                                                                         \
+    if (HAS_LOBE(NAME)) {                                                                          \
         b.reach.name = REACH(LOBE_##NAME, all, there, weight);                                     \
         b.probability.name = b.reach.name - REACH(LOBE_##NAME + 1, all, there, weight);            \
     }
@@ -118,7 +121,7 @@ INLINE BsdfValue bsdf_eval(Bsdf b, real3 wo, real3 wi) {
     v.value = zero3();
     v.pdf = (real)(0.0f);
 #define EVAL_LOBE(NAME, name, Type, transmits, kinds)                                              \
-    if (HAS_LOBE(kinds)) {                                                                         \
+    if (HAS_LOBE(NAME)) {                                                                          \
         if_any (b.has.name) {                                                                      \
             const LobeValue lobe = name##_eval(b.name, wo, wi, b.has.name);                        \
             v.value = fma3(lobe.tint, lobe.value, v.value);                                        \
@@ -137,7 +140,7 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     lobe.delta = lobe.valid = choice < 0.0f;
     real probability = (real)(1.0f);
 #define SAMPLE_LOBE(NAME, name, Type, transmits, kinds)                                            \
-    if (HAS_LOBE(kinds)) {                                                                         \
+    if (HAS_LOBE(NAME)) {                                                                          \
         const mask chosen = (choice < b.reach.name) & (b.probability.name > 0.0f);                 \
         if_any (chosen) {                                                                          \
             lobe = choose(chosen, name##_sample(b.name, wo, choice, u), lobe);                     \
@@ -164,7 +167,7 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
 INLINE mask bsdf_transmits(Bsdf b) {
     mask passes = (mask)(0);
 #define ADD_LOBE(NAME, name, Type, transmits, kinds)                                               \
-    if (HAS_LOBE(kinds) && transmits) passes = passes | b.has.name;
+    if (HAS_LOBE(NAME) && transmits) passes = passes | b.has.name;
     LOBES(ADD_LOBE)
 #undef ADD_LOBE
     return passes;
@@ -173,7 +176,7 @@ INLINE mask bsdf_transmits(Bsdf b) {
 // The index below over the index above, where light is refracted; 1 elsewhere.
 INLINE real bsdf_eta(Bsdf b) {
     const real one = (real)(1.0f);
-    return HAS_LOBE(OF_KIND(DIELECTRIC)) ? choose(b.has.dielectric, b.dielectric.eta, one) : one;
+    return HAS_LOBE(DIELECTRIC) ? choose(b.has.dielectric, b.dielectric.eta, one) : one;
 }
 
 #endif

@@ -46,6 +46,13 @@ INLINE real2 sample_triangle(real2 u) {
     return make2(choose(upper, small, large), choose(upper, large, small));
 }
 
+// Distributed as a tent over [-1, 1].
+INLINE real sample_tent(real u) {
+    const mask rising = u < 0.5f;
+    const real side = 1.0f - safe_sqrt(2.0f * choose(rising, u, 1.0f - u));
+    return choose(rising, -side, side);
+}
+
 // Power heuristic with exponent 2 (Veach 1997, section 9.2.4): the weight of a sample taken with
 // density `own` that could also have been taken with density `other`.
 INLINE real power_heuristic(real own, real other) {

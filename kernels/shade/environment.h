@@ -25,18 +25,32 @@ INLINE real3 environment_pixel(SceneView view, natural i) {
                  gather_real(view.environment, i * 3u + 2u));
 }
 
-INLINE real3 environment_map(SceneView view, real3 d) {
+// The four pixels around a place on the map, by row, and the weights of the second ones.
+typedef struct {
+    natural pixel[2][2];
+    real across, down;
+} MapCell;
+
+INLINE MapCell environment_cell(SceneView view, real3 d) {
     const real2 uv = environment_uv(view, d);
     const natural width = (natural)(view.frame->environment_width);
     const natural height = (natural)(view.frame->environment_height);
     const TexelPair x = texel_pair(uv.x, width, (natural)(WRAP_REPEAT));
     const TexelPair y = texel_pair(uv.y, height, (natural)(WRAP_CLAMP));
     const natural row0 = y.first * width, row1 = y.second * width;
-    const real3 top = mix3(environment_pixel(view, row0 + x.first),
-                           environment_pixel(view, row0 + x.second), x.fraction);
-    const real3 bottom = mix3(environment_pixel(view, row1 + x.first),
-                              environment_pixel(view, row1 + x.second), x.fraction);
-    return mix3(top, bottom, y.fraction);
+    const MapCell cell = {{{row0 + x.first, row0 + x.second}, {row1 + x.first, row1 + x.second}},
+                          x.fraction,
+                          y.fraction};
+    return cell;
+}
+
+INLINE real3 environment_map(SceneView view, real3 d) {
+    const MapCell c = environment_cell(view, d);
+    const real3 top = mix3(environment_pixel(view, c.pixel[0][0]),
+                           environment_pixel(view, c.pixel[0][1]), c.across);
+    const real3 bottom = mix3(environment_pixel(view, c.pixel[1][0]),
+                              environment_pixel(view, c.pixel[1][1]), c.across);
+    return mix3(top, bottom, c.down);
 }
 
 // Radiance that arrives from direction d (unit).
@@ -51,22 +65,33 @@ INLINE real equirectangular_jacobian(real sine) {
     return 0.5f * INV_PI * INV_PI / max_real(sine, (real)(1e-6f));
 }
 
-INLINE real environment_pdf(SceneView view, real3 d) {
-    if (view.frame->environment_width == 0) return (real)(PDF_SPHERE);
-    const real2 uv = environment_uv(view, d);
-    const uint width = view.frame->environment_width, height = view.frame->environment_height;
-    const real x = min_real(floor(uv.x * (float)width), (real)(width - 1.0f));
-    const real y = min_real(floor(uv.y * (float)height), (real)(height - 1.0f));
-    const natural i = as_natural(to_integer(y)) * width + as_natural(to_integer(x));
-    const real pmf = RECORD(view.environment_alias, i, AliasRecord, pmf);
-    const real sine = sqrt(fma(d.x, d.x, d.z * d.z));
-    return pmf * ((float)width * (float)height) * equirectangular_jacobian(sine);
+INLINE real environment_pmf(SceneView view, natural pixel) {
+    return RECORD(view.environment_alias, pixel, AliasRecord, pmf);
 }
 
-// A direction with density environment_pdf. A pixel is drawn uniformly by column and row, then kept
-// or exchanged by the alias table; what is left of the fractions places the point in the pixel.
-INLINE real3 environment_sample(SceneView view, real2 u) {
-    if (view.frame->environment_width == 0) return sample_sphere(u);
+// The map is looked up bilinearly: it is a sum of tents, one about the middle of each pixel. So is
+// this density, with the pixels' probabilities for heights, and proportional to the map's.
+INLINE real environment_pdf(SceneView view, real3 d) {
+    if (view.frame->environment_width == 0) return (real)(PDF_SPHERE);
+    const uint width = view.frame->environment_width, height = view.frame->environment_height;
+    const MapCell c = environment_cell(view, d);
+    const real p0 = environment_pmf(view, c.pixel[0][0]);
+    const real top = fma(environment_pmf(view, c.pixel[0][1]) - p0, c.across, p0);
+    const real p1 = environment_pmf(view, c.pixel[1][0]);
+    const real bottom = fma(environment_pmf(view, c.pixel[1][1]) - p1, c.across, p1);
+    const real sine = sqrt(fma(d.x, d.x, d.z * d.z));
+    return fma(bottom - top, c.down, top) * ((float)width * (float)height) *
+           equirectangular_jacobian(sine);
+}
+
+// A pixel by its probability, and what is left of the numbers that chose it: a column and row are
+// drawn uniformly, then kept or exchanged by the alias table.
+typedef struct {
+    natural index;
+    real2 rest;
+} ChosenPixel;
+
+INLINE ChosenPixel choose_pixel(SceneView view, real2 u) {
     const uint width = view.frame->environment_width, height = view.frame->environment_height;
     const real x = u.x * (float)width, y = u.y * (float)height;
     const real column = min_real(floor(x), (real)(width - 1.0f));
@@ -75,15 +100,26 @@ INLINE real3 environment_sample(SceneView view, real2 u) {
     const real fraction = x - column;
     const real below = RECORD(view.environment_alias, drawn, AliasRecord, below);
     const mask stays = fraction < below;
-    const natural i =
+    const real rest = choose(stays, fraction / max_real(below, (real)(1e-9f)),
+                             (fraction - below) / max_real(1.0f - below, (real)(1e-9f)));
+    ChosenPixel chosen;
+    chosen.index =
         choose(stays, drawn, RECORD_NATURAL(view.environment_alias, drawn, AliasRecord, alias));
-    const real across = choose(stays, fraction / max_real(below, (real)(1e-9f)),
-                               (fraction - below) / max_real(1.0f - below, (real)(1e-9f)));
-    const natural row = i / width;
-    const real2 uv =
-        make2((to_real(i - row * width) + clamp_real(across, 0.0f, 1.0f)) / (float)width,
-              (to_real(row) + (y - line)) / (float)height);
-    return environment_direction(view, uv);
+    chosen.rest = make2(clamp_real(rest, 0.0f, 1.0f), y - line);
+    return chosen;
+}
+
+// A direction with density environment_pdf: a pixel, and a point of its tent. Tents go on around
+// the map; at the poles they are mirrored, which is what the clamped lookup weighs.
+INLINE real3 environment_sample(SceneView view, real2 u) {
+    if (view.frame->environment_width == 0) return sample_sphere(u);
+    const uint width = view.frame->environment_width, height = view.frame->environment_height;
+    const ChosenPixel chosen = choose_pixel(view, u);
+    const natural row = chosen.index / width;
+    const real column = to_real(chosen.index - row * width);
+    const real x = (column + 0.5f + sample_tent(chosen.rest.x)) / (float)width;
+    const real y = fabs(to_real(row) + 0.5f + sample_tent(chosen.rest.y)) / (float)height;
+    return environment_direction(view, make2(x, choose(y > 1.0f, 2.0f - y, y)));
 }
 
 #else

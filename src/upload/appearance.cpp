@@ -77,22 +77,12 @@ PackedEnvironment pack_environment(const Environment& environment) {
     packed.width = map.width;
     packed.height = map.height;
     packed.pixels = map.pixels;
-    const auto brightness = [&](uint32_t x, uint32_t y) {
-        const auto p = map.pixel(x, y);
-        return double(p[0]) + p[1] + p[2];
-    };
     std::vector<double> weights(size_t(map.width) * map.height);
     for (uint32_t y = 0; y < map.height; y++) {
         const double sine = std::sin(std::numbers::pi * (y + 0.5) / map.height);
-        const uint32_t rows[3] = {y > 0 ? y - 1 : 0, y, std::min(y + 1, map.height - 1)};
         for (uint32_t x = 0; x < map.width; x++) {
-            const uint32_t columns[3] = {(x + map.width - 1) % map.width, x, (x + 1) % map.width};
-            double sum = 0; // the weights of bilinear filtering, averaged over the pixel
-            for (int j = 0; j < 3; j++)
-                for (int i = 0; i < 3; i++)
-                    sum += (j == 1 ? 0.75 : 0.125) * (i == 1 ? 0.75 : 0.125) *
-                           brightness(columns[i], rows[j]);
-            weights[size_t(y) * map.width + x] = sine * sum;
+            const auto p = map.pixel(x, y);
+            weights[size_t(y) * map.width + x] = sine * (double(p[0]) + p[1] + p[2]);
         }
     }
     packed.alias = build_alias_table(weights);

@@ -28,9 +28,10 @@ INLINE mask true_side(Vertex v, real3 wi, real3 world) {
     return choose(wi.z > 0.0f, outward > 0.0f, (outward < 0.0f) & bsdf_transmits(v.bsdf));
 }
 
-// Russian roulette: the probability with which a path of this throughput goes on.
+// Russian roulette: the probability with which a path of this throughput goes on. What carries a
+// quarter or more is not worth ending: later vertices share the work of the earlier ones.
 INLINE real roulette_survival(real3 throughput) {
-    return clamp_real(max_component3(throughput), 0.05f, 0.95f);
+    return clamp_real(4.0f * max_component3(throughput), 0.05f, 1.0f);
 }
 
 #endif

@@ -34,7 +34,8 @@ INLINE void explain_bounce(SceneView view, Path path, Hits hit, Sampler sampler,
     if (view.frame->light_count == 0) return;
     const real choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x;
     const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT));
-    report->light = choose_light(view, choice);
+    real2 rest = u;
+    report->light = choose_light_and_rest(view, choice, &rest);
     report->light_pdf = light_sample(view, s.position, choice, u, (mask)(1)).pdf;
 }
 

@@ -59,6 +59,8 @@ INLINE natural sobol_second_reversed(natural v) {
     return v;
 }
 
+#define LARGEST_BELOW_ONE 0.99999994f
+
 // In [0, 1), 24 bits.
 INLINE real unit_real(natural bits) {
     return to_real(bits >> 8) * 5.9604645e-8f;

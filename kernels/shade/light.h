@@ -13,20 +13,35 @@
 
 #define HAS_LIGHT(NAME) (ONDE_LIGHTS >> LIGHT_##NAME & 1u)
 
-// A light by its probability (Vose 1991), from one uniform number.
-INLINE natural choose_light(SceneView view, real u) {
+// A light by its probability (Vose 1991), from one uniform number; what is left of the number is
+// uniform again.
+INLINE natural choose_light(SceneView view, real* u) {
     const float count = (float)view.frame->light_count;
-    const real scaled = u * count;
+    const real scaled = *u * count;
     const real whole = min_real(floor(scaled), (real)(count - 1.0f));
     const natural i = as_natural(to_integer(whole));
-    const mask stays = scaled - whole < RECORD(view.lights, i, LightRecord, alias_below);
+    const real below = RECORD(view.lights, i, LightRecord, alias_below), rest = scaled - whole;
+    const mask stays = rest < below;
+    const real again = choose(stays, rest / max_real(below, (real)(1e-9f)),
+                              (rest - below) / max_real(1.0f - below, (real)(1e-9f)));
+    *u = clamp_real(again, 0.0f, LARGEST_BELOW_ONE);
     return choose(stays, i, RECORD_NATURAL(view.lights, i, LightRecord, alias));
 }
 
-// One light, and a direction to it from a point. Uniform numbers: `choice` for the light. The pdf
+// Among more lights than these little would be left of a number of 24 bits.
+#define MOST_SHARING_LIGHTS 1024u
+
+// The same by the first of the two numbers for a point on the light, so that each light keeps a
+// whole slab of a stratified square; `choice` is for many lights.
+INLINE natural choose_light_and_rest(SceneView view, real choice, real2* u) {
+    if (view.frame->light_count > MOST_SHARING_LIGHTS) return choose_light(view, &choice);
+    return choose_light(view, &u->x);
+}
+
+// One light, and a direction to it from a point. The pdf
 // of a delta light is that of the choice alone.
 INLINE LightSample light_sample(SceneView view, real3 from, real choice, real2 u, mask lanes) {
-    const natural light = choose_light(view, choice);
+    const natural light = choose_light_and_rest(view, choice, &u);
     const natural kind = RECORD_NATURAL(view.lights, light, LightRecord, kind);
     LightSample s = no_light_sample();
 #define SAMPLE_LIGHT(NAME, name, Record)                                                           \
@@ -67,7 +82,7 @@ INLINE real environment_found_pdf(SceneView view, real3 direction) {
 // The start of a ray of light. Needs at least one light.
 INLINE Emission light_emit(SceneView view, __global const LightTracingRecord* setup,
                            EmissionNumbers u, mask lanes) {
-    const natural light = choose_light(view, u.choice.x);
+    const natural light = choose_light(view, &u.choice.x);
     const natural kind = RECORD_NATURAL(view.lights, light, LightRecord, kind);
     const real pmf = RECORD(view.lights, light, LightRecord, pmf);
     Emission e = no_emission();

@@ -15,7 +15,7 @@ enum { LOBES(LOBE_KINDS) };
 #define ALL_HAVE_LOBE(NAME) (!(ONDE_KINDS & ~KINDS_WITH_##NAME))
 
 // The probability of a lobe that a material has is no smaller.
-#define LEAST_LOBE_PROBABILITY 0.1f
+#define LEAST_LOBE_PROBABILITY 0.02f
 
 #define LOBE_MASK(NAME, name, Type, transmits, kinds) mask name;
 typedef struct {

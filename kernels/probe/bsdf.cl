@@ -14,7 +14,7 @@ INLINE Bsdf input_bsdf(Items items) {
     b.glossy.f90 = input(items, 6);
     b.glossy.alpha = input(items, 7);
     b.diffuse.albedo = input3(items, 0);
-    b.diffuse.coat = b.glossy;
+    b.diffuse.coat = b.glossy.f90;
     b.dielectric.tint = input3(items, 0);
     b.dielectric.alpha = input(items, 7);
     b.dielectric.eta = input(items, 9);

@@ -4,11 +4,15 @@
 
 #include "math/elementary.h"
 
-// Schlick 1994: from f0 at normal incidence to f90 at grazing.
-INLINE real3 fresnel_schlick(real3 f0, real f90, real cosine) {
+// Schlick 1994: the way from normal incidence, 0, to grazing, 1.
+INLINE real schlick_weight(real cosine) {
     const real m = clamp_real(1.0f - cosine, 0.0f, 1.0f);
     const real m2 = m * m;
-    const real w = m2 * m2 * m;
+    return m2 * m2 * m;
+}
+// From f0 at normal incidence to f90 at grazing.
+INLINE real3 fresnel_schlick(real3 f0, real f90, real cosine) {
+    const real w = schlick_weight(cosine);
     return make3(fma(f90 - f0.x, w, f0.x), fma(f90 - f0.y, w, f0.y), fma(f90 - f0.z, w, f0.z));
 }
 

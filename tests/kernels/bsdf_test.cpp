@@ -177,15 +177,18 @@ std::vector<glm::vec3> directions_above(Generator& generator, size_t count) {
     return directions;
 }
 
-/// glTF 2.0, appendix B: Lambert under GGX, with height-correlated masking; times cosine.
+/// glTF 2.0, appendix B: GGX with height-correlated masking over Lambert, of which the dielectric
+/// half lets a part through; times cosine.
 glm::dvec3 mix_value(const Surface& surface, glm::dvec3 wo, glm::dvec3 wi) {
     const glm::dvec3 h = glm::normalize(wo + wi), f0(surface.f0), white(surface.f90);
     const double a2 = std::pow(double(surface.alpha), 2);
     const double d = a2 / (M_PI * std::pow(h.z * h.z * (a2 - 1) + 1, 2));
     const auto root = [&](double c) { return std::sqrt(a2 + (1 - a2) * c * c); };
     const double visibility = 0.5 / (wi.z * root(wo.z) + wo.z * root(wi.z));
-    const glm::dvec3 fresnel = f0 + (white - f0) * std::pow(1 - glm::dot(wo, h), 5);
-    return ((1.0 - fresnel) * glm::dvec3(surface.diffuse) / M_PI + fresnel * d * visibility) * wi.z;
+    const double grazing = std::pow(1 - glm::dot(wo, h), 5);
+    const glm::dvec3 fresnel = f0 + (white - f0) * grazing;
+    const double through = 1 - double(surface.f90) * (0.04 + 0.96 * grazing);
+    return (through * glm::dvec3(surface.diffuse) / M_PI + fresnel * d * visibility) * wi.z;
 }
 
 } // namespace

@@ -17,6 +17,12 @@ glm::vec3 mirrored(const glm::vec3& wo, const glm::vec3& h) {
     return 2.0f * glm::dot(wo, h) * h - wo;
 }
 
+/// Of the dielectric half of metallic-roughness materials, which alone has a diffuse base
+/// (glTF 2.0, appendix B.2).
+float dielectric_fresnel(float cosine) {
+    return 0.04f + 0.96f * schlick_weight(cosine);
+}
+
 /// Snell's law about h, on wo's side; eta is the index beyond over the index here. Not to be
 /// called under total reflection.
 glm::vec3 refracted(const glm::vec3& wo, const glm::vec3& h, float eta) {
@@ -59,7 +65,7 @@ void Bsdf::set_opaque(const MaterialRecord& material) {
     f0_ = glm::mix(glm::vec3(0.04f), color, material.metallic);
     if (diffuse_ == glm::vec3(0.0f)) return;
     const float fresnel = luminance(f0_ + (1.0f - f0_) * schlick_weight(wo_.z));
-    const float rest = luminance(diffuse_) * (1.0f - fresnel);
+    const float rest = luminance(diffuse_) * (1.0f - dielectric_fresnel(wo_.z));
     specular_pmf_ = glm::clamp(fresnel / (fresnel + rest), 0.1f, 0.9f);
 }
 
@@ -80,7 +86,7 @@ Scattering Bsdf::eval_opaque(const glm::vec3& wi) const {
     const glm::vec3 fresnel = f0_ + (1.0f - f0_) * schlick_weight(glm::dot(wo_, h));
     Scattering s;
     if (specular_pmf_ < 1.0f) {
-        s.value = (1.0f - fresnel) * diffuse_ * (wi.z / PI);
+        s.value = (1.0f - dielectric_fresnel(glm::dot(wo_, h))) * diffuse_ * (wi.z / PI);
         s.pdf = (1.0f - specular_pmf_) * wi.z / PI;
     }
     if (!delta_) {

@@ -14,7 +14,7 @@
 #define DIMENSION_FILTER 0u
 #define DIMENSION_LENS 1u
 #define DIMENSION_BOUNCES 2u
-#define DIMENSION_CHOICE 0u    // x: which light, y: which lobe
+#define DIMENSION_CHOICE 0u    // x: which of many lights, y: which lobe
 #define DIMENSION_LIGHT 1u     // point on the light
 #define DIMENSION_DIRECTION 2u // of the BSDF
 #define DIMENSION_ROULETTE 3u
@@ -61,6 +61,26 @@ INLINE natural sobol_second_reversed(natural v) {
 
 #define LARGEST_BELOW_ONE 0.99999994f
 
+// The third and fourth dimensions (Joe and Kuo 2008), as columns of bit-reversed matrices.
+__constant uint SOBOL_REVERSED[2][32] = {
+    {0x00000001u, 0x00000003u, 0x00000006u, 0x00000009u, 0x00000017u, 0x0000003au, 0x00000071u,
+     0x000000a3u, 0x00000116u, 0x00000339u, 0x00000677u, 0x000009aau, 0x00001601u, 0x00003903u,
+     0x00007706u, 0x0000aa09u, 0x00010117u, 0x0003033au, 0x00060671u, 0x000909a3u, 0x00171616u,
+     0x003a3939u, 0x00717777u, 0x00a3aaaau, 0x01170001u, 0x033a0003u, 0x06710006u, 0x09a30009u,
+     0x16160017u, 0x3939003au, 0x77770071u, 0xaaaa00a3u},
+    {0x00000001u, 0x00000003u, 0x00000004u, 0x0000000au, 0x0000001fu, 0x0000002eu, 0x00000045u,
+     0x000000c9u, 0x0000011bu, 0x000002a4u, 0x0000079au, 0x00000b67u, 0x0000101eu, 0x0000302du,
+     0x00004041u, 0x0000a0c3u, 0x0001f104u, 0x0002e28au, 0x000457dfu, 0x000c9baeu, 0x0011a105u,
+     0x002a7289u, 0x0079e7dbu, 0x00b6dba4u, 0x0100011au, 0x030002a7u, 0x0400079eu, 0x0a000b6du,
+     0x1f001001u, 0x2e003003u, 0x45004004u, 0xc900a00au}};
+
+INLINE natural sobol_reversed(natural index, uint dimension) {
+    natural reversed = (natural)(0u);
+    for (uint k = 0; k < 32; k++)
+        reversed ^= (0u - ((index >> k) & 1u)) & SOBOL_REVERSED[dimension - 2][k];
+    return reversed;
+}
+
 // In [0, 1), 24 bits.
 INLINE real unit_real(natural bits) {
     return to_real(bits >> 8) * 5.9604645e-8f;
@@ -79,14 +99,33 @@ INLINE Sampler sampler_start(natural pixel, natural sample, uint seed) {
     return s;
 }
 
-// Two numbers in [0, 1): over the samples of a pixel, a scrambled (0, 2)-sequence.
-INLINE real2 sampler_pair(Sampler s, uint dimension) {
-    const natural key = hash_natural(s.pixel ^ (natural)(dimension * 0x9e3779b9u));
-    const natural index = reverse_bits(laine_karras(reverse_bits(s.index), key));
-    const natural x = reverse_bits(laine_karras(index, hash_natural(key ^ 0xa511e9b3u)));
-    const natural y =
-        reverse_bits(laine_karras(sobol_second_reversed(index), hash_natural(key ^ 0x63d83595u)));
+// A scramble and a shuffle of the samples' indices.
+typedef struct {
+    natural key, index;
+} Shuffled;
+INLINE Shuffled shuffle_samples(Sampler s, uint dimension) {
+    Shuffled shuffled;
+    shuffled.key = hash_natural(s.pixel ^ (natural)(dimension * 0x9e3779b9u));
+    shuffled.index = reverse_bits(laine_karras(reverse_bits(s.index), shuffled.key));
+    return shuffled;
+}
+INLINE real2 scrambled_pair(natural x, natural y, natural key) {
+    x = reverse_bits(laine_karras(x, hash_natural(key ^ 0xa511e9b3u)));
+    y = reverse_bits(laine_karras(y, hash_natural(key ^ 0x63d83595u)));
     return make2(unit_real(x), unit_real(y));
+}
+
+// Two numbers in [0, 1): over the samples of a pixel, a scrambled (0, 2)-sequence. The direction at
+// the first vertex continues the sequence of the place in the pixel in dimensions 3 and 4, with
+// which it is entangled most; the other pairs know nothing of each other.
+INLINE real2 sampler_pair(Sampler s, uint dimension) {
+    if (dimension == bounce_dimension(0, DIMENSION_DIRECTION)) {
+        const Shuffled first = shuffle_samples(s, DIMENSION_FILTER);
+        return scrambled_pair(sobol_reversed(first.index, 2), sobol_reversed(first.index, 3),
+                              hash_natural(first.key));
+    }
+    const Shuffled own = shuffle_samples(s, dimension);
+    return scrambled_pair(own.index, sobol_second_reversed(own.index), own.key);
 }
 
 #endif

@@ -179,6 +179,29 @@ TEST_CASE("smooth functions are integrated ten times better than by independent 
     CHECK(std::sqrt(squares / PIXEL_COUNT) < 0.1 * std::sqrt(variance / SAMPLES));
 }
 
+TEST_CASE("the place in the pixel and the first direction are stratified together") {
+    // Products of two coordinates about their middles have the mean 0 and the variance 1 / 144.
+    constexpr uint32_t SAMPLES = 64, PIXEL_COUNT = 256, FIRST_DIRECTION = 4;
+    const auto variance = [&](uint32_t dimension, bool place_y, bool other_y) {
+        double squares = 0;
+        for (uint32_t pixel = 0; pixel < PIXEL_COUNT; pixel++) {
+            const Points place = sequence(pixel, 0, SAMPLES);
+            const Points other = sequence(pixel, dimension, SAMPLES);
+            const Column &a = place_y ? place.y : place.x, &b = other_y ? other.y : other.x;
+            double sum = 0;
+            for (size_t i = 0; i < SAMPLES; i++) sum += (double(a[i]) - 0.5) * (double(b[i]) - 0.5);
+            squares += sum / SAMPLES * sum / SAMPLES;
+        }
+        return squares / PIXEL_COUNT * 144 * SAMPLES; // over that of independent numbers
+    };
+    for (bool place_y : {false, true})
+        for (bool other_y : {false, true}) {
+            INFO((place_y ? "y" : "x") << " with " << (other_y ? "y" : "x"));
+            CHECK(variance(FIRST_DIRECTION, place_y, other_y) < 0.25);
+        }
+    CHECK(variance(3, false, false) > 0.5); // which pairs of their own are not
+}
+
 TEST_CASE("different pixels have different sequences") {
     std::set<float> firsts;
     const Points points = picture(0, 0, 0);

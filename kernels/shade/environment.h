@@ -89,9 +89,9 @@ INLINE real environment_pdf(SceneView view, real3 d) {
 typedef struct {
     natural index;
     real2 rest;
-} ChosenPixel;
+} DrawnPixel;
 
-INLINE ChosenPixel choose_pixel(SceneView view, real2 u) {
+INLINE DrawnPixel draw_pixel(SceneView view, real2 u) {
     const uint width = view.frame->environment_width, height = view.frame->environment_height;
     const real x = u.x * (float)width, y = u.y * (float)height;
     const real column = min_real(floor(x), (real)(width - 1.0f));
@@ -102,7 +102,7 @@ INLINE ChosenPixel choose_pixel(SceneView view, real2 u) {
     const mask stays = fraction < below;
     const real rest = choose(stays, fraction / max_real(below, (real)(1e-9f)),
                              (fraction - below) / max_real(1.0f - below, (real)(1e-9f)));
-    ChosenPixel chosen;
+    DrawnPixel chosen;
     chosen.index =
         choose(stays, drawn, RECORD_NATURAL(view.environment_alias, drawn, AliasRecord, alias));
     chosen.rest = make2(clamp_real(rest, 0.0f, 1.0f), y - line);
@@ -114,7 +114,7 @@ INLINE ChosenPixel choose_pixel(SceneView view, real2 u) {
 INLINE real3 environment_sample(SceneView view, real2 u) {
     if (view.frame->environment_width == 0) return sample_sphere(u);
     const uint width = view.frame->environment_width, height = view.frame->environment_height;
-    const ChosenPixel chosen = choose_pixel(view, u);
+    const DrawnPixel chosen = draw_pixel(view, u);
     const natural row = chosen.index / width;
     const real column = to_real(chosen.index - row * width);
     const real x = (column + 0.5f + sample_tent(chosen.rest.x)) / (float)width;

@@ -330,7 +330,7 @@ TEST_CASE("mixed lights have the same bits at every width, beside dead lanes ful
         in[6][i] = live;
     }
     for (size_t i = 0; i < FEW; i++) // a number must be one to choose a light, even in dead lanes
-        if (in[6][i] == 0) in[3][i] = 0.5f;
+        if (in[6][i] == 0) in[3][i] = in[4][i] = 0.5f;
     Columns rays(in.begin(), in.end());
     for (size_t i = 0; i < FEW; i++)
         if (in[6][i] != 0) {

@@ -175,10 +175,10 @@ TEST_CASE("intersect finds what each ray meets first") {
 TEST_CASE("shade sends a connection and a next ray from a diffuse floor, by the closed forms") {
     bool seen[3] = {};
     for (uint32_t width : WIDTHS)
-        for (uint32_t pixel = 0; pixel < 12; pixel += 4) {
-            INFO("width " << width << ", pixels from " << pixel);
+        for (uint32_t sample = 0; sample < 6; sample++) {
+            INFO("width " << width << ", sample " << sample);
             StageRig rig = fresh_rig(width);
-            rig.first_pixel = pixel;
+            rig.first_sample = sample;
             const glm::vec3 throughput(0.5f, 1, 2);
             for (uint32_t i = 0; i < 4; i++)
                 put_on_floor(rig, i, 3 - i, float(i) - 1.5f, 0.5f * float(i), throughput);

@@ -165,16 +165,18 @@ INLINE uint add_turn(TorusRay torus, float low, float high, float* at, uint coun
     return count + 1;
 }
 
-// The nearest root in (near, far], or infinity. Between its turns the quartic is monotone, so that
-// a sign at each end decides whether there is a root: none is missed, none is found twice.
+// The nearest root beyond `near`, or infinity; any answer where it lies beyond `far`. Between its
+// turns the quartic is monotone, so that a sign at each end decides whether there is a root: none
+// is missed, none is found twice. `far` does not bound the search: what a traversal has hit before
+// must not move a root by its last bits.
 OUTLINED float torus_distance(TorusRay torus, float near, float far) {
     const float reach2 = square_scalar(1.0001f + sqrt(torus.minor2)) -
                          dot_scalar(torus.ray.origin, torus.ray.origin);
     if (!(reach2 > 0.0f)) return INFINITY;
     // Roots at the outer equator lie on this very ball: the search starts well clear of it.
     const float reach = sqrt(reach2) + 0.01f;
-    const float low = max_fast(near, -reach), high = min_fast(far, reach);
-    if (!(low < high)) return INFINITY;
+    const float low = max_fast(near, -reach), high = reach;
+    if (!(low < min_fast(far, high))) return INFINITY;
     float ends[5];
     uint count = 0;
     const float bow2 = -torus.b * (1.0f / 6.0f); // the slope turns at its roots

@@ -29,6 +29,10 @@ struct DeviceFacts {
     bool correctly_rounded_divide_sqrt = false;
     bool int64_atomics = false; ///< cl_khr_int64_extended_atomics: 64-bit minimum and the like
     std::string problem;        ///< empty, or why it can't be used
+
+    /// Whether code in vectors of 8 or 16 stays such; other compilers take it apart, number by
+    /// number.
+    bool keeps_vectors() const { return is_cpu && (is_pocl || is_intel); }
 };
 
 struct PlatformReport {

@@ -8,9 +8,8 @@ namespace onde::gpu {
 
 namespace {
 
-/// Other compilers turn vectors into scalars, which are slower the more there are.
 uint32_t cpu_width(const DeviceFacts& facts) {
-    if (!facts.is_pocl && !facts.is_intel) return 1;
+    if (!facts.keeps_vectors()) return 1;
     return facts.avx512 ? 16 : 8;
 }
 

@@ -78,13 +78,19 @@ double seconds_of(RayQuery& query, const QueryRays& rays) {
 
 } // namespace
 
+std::vector<BvhLayout> layouts_for(const gpu::DeviceFacts& facts) {
+    std::vector<BvhLayout> layouts{BvhLayout::compressed, BvhLayout::binary};
+    if (facts.keeps_vectors()) layouts.insert(layouts.begin(), BvhLayout::wide);
+    return layouts;
+}
+
 std::vector<LayoutRate> measure_layouts(gpu::Programs& programs) {
     const Field field;
     const Geometry geometry{field.positions, field.triangles, {}, 0};
     const std::vector<QueryRay> set = field_rays();
     const QueryRays rays(programs.device(), set);
     std::vector<LayoutRate> rates;
-    for (const auto& [layout, word] : WORDS_OF<BvhLayout>) {
+    for (const BvhLayout layout : layouts_for(programs.device().facts())) {
         RayQuery query(programs, geometry, {.layout = layout});
         query.closest(rays); // for pages and caches to fill
         rates.push_back({layout, 2e-6 * double(set.size()) / seconds_of(query, rays)});
@@ -131,14 +137,16 @@ void LayoutMemory::remember(const gpu::DeviceFacts& facts, BvhLayout layout) con
 }
 
 BvhLayout known_layout(const gpu::DeviceFacts& facts, const LayoutMemory& memory) {
-    return memory.recall(facts).value_or(facts.is_cpu ? BvhLayout::wide : BvhLayout::compressed);
+    const std::vector<BvhLayout> layouts = layouts_for(facts);
+    const BvhLayout known = memory.recall(facts).value_or(layouts.front());
+    return std::ranges::find(layouts, known) == layouts.end() ? layouts.front() : known;
 }
 
 BvhLayout suitable_layout(gpu::Programs& programs,
                           const std::function<void(const std::string&)>& announce,
                           const LayoutMemory& memory) {
     const gpu::Device& device = programs.device();
-    if (device.facts().is_cpu || memory.recall(device.facts()))
+    if (device.facts().keeps_vectors() || memory.recall(device.facts()))
         return known_layout(device.facts(), memory);
     if (announce)
         announce(fmt::format("measuring which tree suits {} (once)...", device.facts().name));

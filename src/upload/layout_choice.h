@@ -15,8 +15,12 @@ struct LayoutRate {
     double mrays = 0; ///< million rays a second: closest and any hits of camera and diffuse rays
 };
 
-/// Traces half a million rays through a hilly field of 131,072 triangles in every layout, one ray
-/// per work item: the median of three runs. Compiles three small programs.
+/// The layouts that may suit a device: the wide one, which is written in vectors of 16, only where
+/// they stay vectors.
+std::vector<BvhLayout> layouts_for(const gpu::DeviceFacts& facts);
+
+/// Traces half a million rays through a hilly field of 131,072 triangles in each layout for the
+/// device, one ray per work item: the median of three runs. Compiles a small program for each.
 std::vector<LayoutRate> measure_layouts(gpu::Programs& programs);
 
 /// The fastest layout; `rates` is not empty.
@@ -37,12 +41,12 @@ class LayoutMemory {
     std::filesystem::path folder_;
 };
 
-/// What is remembered of the device; else the layout for its kind: the wide one for CPUs, where it
-/// is the fastest by far, the compressed one for others.
+/// What is remembered of the device; else the layout for its kind: the wide one where it may be
+/// used, as it is the fastest there by far, the compressed one elsewhere.
 BvhLayout known_layout(const gpu::DeviceFacts& facts, const LayoutMemory& memory = LayoutMemory());
 
-/// The same, but a device that is not a CPU and not known yet is measured, which takes seconds;
-/// `announce` is told so before.
+/// The same, but a device for which the wide one is not and that is not known yet is measured,
+/// which takes seconds; `announce` is told so before.
 BvhLayout suitable_layout(gpu::Programs& programs,
                           const std::function<void(const std::string&)>& announce = {},
                           const LayoutMemory& memory = LayoutMemory());

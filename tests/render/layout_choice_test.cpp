@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -20,10 +21,11 @@ struct Folder {
     ~Folder() { fs::remove_all(path); }
 };
 
-gpu::DeviceFacts facts_of(const char* name, bool is_cpu) {
+gpu::DeviceFacts facts_of(const char* name, bool is_cpu, bool is_pocl = false) {
     gpu::DeviceFacts facts;
     facts.name = name;
     facts.is_cpu = is_cpu;
+    facts.is_pocl = is_pocl;
     return facts;
 }
 
@@ -32,10 +34,10 @@ gpu::DeviceFacts facts_of(const char* name, bool is_cpu) {
 TEST_CASE("a layout that was remembered is that device's, whatever its kind") {
     const Folder folder;
     const LayoutMemory memory(folder.path);
-    const auto cpu = facts_of("some CPU", true), gpu = facts_of("some GPU", false);
+    const auto cpu = facts_of("some CPU", true, true), gpu = facts_of("some GPU", false);
     CHECK(known_layout(cpu, memory) == BvhLayout::wide);
     CHECK(known_layout(gpu, memory) == BvhLayout::compressed);
-    for (const BvhLayout layout : {BvhLayout::binary, BvhLayout::wide, BvhLayout::compressed}) {
+    for (const BvhLayout layout : {BvhLayout::binary, BvhLayout::compressed}) {
         memory.remember(gpu, layout);
         CHECK(LayoutMemory(folder.path).recall(gpu) == layout);
         CHECK(known_layout(gpu, memory) == layout);
@@ -62,9 +64,22 @@ TEST_CASE("a damaged memory, and none, are as if nothing had been measured") {
     CHECK_FALSE(nowhere.recall(gpu));
 }
 
-TEST_CASE("all layouts are measured, and the fastest is chosen") {
+TEST_CASE("the wide layout is never for a compiler that takes vectors apart") {
+    const Folder folder;
+    const LayoutMemory memory(folder.path);
+    for (const auto& facts : {facts_of("some GPU", false), facts_of("a GPU of PoCL's", false, true),
+                              facts_of("a CPU of some other compiler", true)}) {
+        INFO(facts.name);
+        const auto layouts = layouts_for(facts);
+        CHECK(std::ranges::find(layouts, BvhLayout::wide) == layouts.end());
+        memory.remember(facts, BvhLayout::wide);
+        CHECK(known_layout(facts, memory) != BvhLayout::wide);
+    }
+}
+
+TEST_CASE("all layouts for a device are measured, and the fastest is chosen") {
     const auto rates = measure_layouts(programs());
-    REQUIRE(rates.size() == 3);
+    REQUIRE(rates.size() == layouts_for(programs().device().facts()).size());
     const BvhLayout chosen = fastest_layout(rates);
     for (const LayoutRate& rate : rates) {
         INFO(word_of(rate.layout) << ": " << rate.mrays << " Mrays/s");

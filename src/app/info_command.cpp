@@ -57,8 +57,9 @@ CountsByWord count_kinds(const std::vector<T>& things) {
 uint64_t host_bytes(const Scene& scene, uint64_t texture_bytes) {
     uint64_t bytes = texture_bytes + bytes_of(scene.materials) + bytes_of(scene.instances) +
                      bytes_of(scene.spheres) + bytes_of(scene.shapes) +
-                     bytes_of(scene.point_lights) + bytes_of(scene.directional_lights) +
                      bytes_of(scene.chapter.area_lights);
+    for_each_light_list(
+        scene, [&](const auto& lights, const auto&, const char*) { bytes += bytes_of(lights); });
     for (const Mesh& mesh : scene.meshes) bytes += bytes_of(mesh);
     if (scene.environment.map) bytes += bytes_of(scene.environment.map->pixels);
     return bytes;
@@ -132,6 +133,15 @@ std::string counts_text(size_t all, const CountsByWord& counts) {
     return text;
 }
 
+/// How many lights without geometry there are: "1 point, 0 directional".
+std::string lights_text(const Scene& scene) {
+    std::vector<std::string> counts;
+    for_each_light_list(scene, [&](const auto& lights, const auto&, std::string_view words) {
+        counts.push_back(fmt::format("{} {}", lights.size(), words.substr(0, words.find(' '))));
+    });
+    return fmt::format("{}", fmt::join(counts, ", "));
+}
+
 void print_text(const Scene& scene, const SceneSummary& summary, const DeviceMemory& memory) {
     const SceneBounds bounds = scene_bounds(scene);
     fmt::print("triangles     {} unique, {} instanced, {} of them emissive\n",
@@ -141,8 +151,7 @@ void print_text(const Scene& scene, const SceneSummary& summary, const DeviceMem
     fmt::print("shapes        {}\n", counts_text(scene.shapes.size(), summary.shapes));
     fmt::print("materials     {}\n", counts_text(scene.materials.size(), summary.materials));
     fmt::print("textures      {}, {}\n", scene.textures.size(), size_text(summary.texture_bytes));
-    fmt::print("lights        {} point, {} directional; area {}\n", scene.point_lights.size(),
-               scene.directional_lights.size(),
+    fmt::print("lights        {}; area {}\n", lights_text(scene),
                counts_text(scene.chapter.area_lights.size(), summary.area_lights));
     fmt::print("environment   {}\n", environment_text(scene.environment));
     for (size_t i = 0; i < scene.cameras.size(); ++i)

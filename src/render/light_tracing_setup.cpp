@@ -22,10 +22,14 @@ double brightest_light(const Scene& scene) {
     float brightest = 1e-30f;
     for (const Material& material : scene.materials)
         brightest = std::max(brightest, largest(material.emission));
-    for (const PointLight& light : scene.point_lights)
-        brightest = std::max(brightest, largest(light.intensity));
-    for (const DirectionalLight& light : scene.directional_lights)
-        brightest = std::max(brightest, largest(light.irradiance));
+    for_each_light_list(scene, [&](const auto& lights, const auto&, const char*) {
+        for (const auto& light : lights)
+            for_each_field(light, [&]<class Value>(const auto& field, const Value& value) {
+                if constexpr (std::is_same_v<Value, glm::vec3>)
+                    if (field.rules.form == Form::color)
+                        brightest = std::max(brightest, largest(value));
+            });
+    });
     float pixel = 1;
     if (const auto& map = scene.environment.map; map && !map->pixels.empty())
         pixel = *std::ranges::max_element(map->pixels);

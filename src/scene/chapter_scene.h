@@ -6,6 +6,7 @@
 #include "core/enum_words.h"
 #include "scene/fields.h"
 #include "scene/lesson.h"
+#include "scene/light.h"
 
 #include <glm/glm.hpp>
 
@@ -128,12 +129,19 @@ struct DerivedLights {
     uint32_t intensities = 0, measures = 0;
 };
 
+/// Intensity times colour (is * Cs) of lights without geometry, by index, in lists of the same
+/// names.
+struct LightIntensities {
+#define ONDE_LIST(Type, list, words) std::map<uint32_t, glm::vec3> list;
+    LIGHT_LISTS(ONDE_LIST)
+#undef ONDE_LIST
+};
+
 /// What a scene file says of the chapter. Lists are by index into the scene's, and hold what files
 /// state; see phong.h for what follows from the rest.
 struct ChapterScene {
     std::map<uint32_t, Phong> phong; ///< by material
-    /// Intensity times colour (is * Cs) by light. complete_scene() adds what is missing.
-    std::map<uint32_t, glm::vec3> point_intensities, directional_intensities;
+    LightIntensities intensities;    ///< complete_scene() adds what is missing
     std::vector<AreaLight> area_lights;
     DerivedLights derived_lights; ///< filled in by complete_scene()
     WhittedSettings whitted;

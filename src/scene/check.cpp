@@ -67,6 +67,8 @@ template <glm::length_t N>
 std::string problem(const Scene& scene, const FieldRules& rules, const glm::vec<N, float>& v) {
     for (glm::length_t i = 0; i < N; ++i)
         if (const std::string text = problem(scene, rules, v[i]); !text.empty()) return text;
+    if constexpr (N == 3)
+        if (rules.form == Form::travel && !is_unit(v)) return "is not unit";
     return "";
 }
 
@@ -164,13 +166,9 @@ void check_shape(const Scene& scene, size_t i) {
 }
 
 void check_lights(const Scene& scene) {
-    for (size_t i = 0; i < scene.point_lights.size(); ++i)
-        check_fields(scene, scene.point_lights[i], "point light", i);
-    for (size_t i = 0; i < scene.directional_lights.size(); ++i) {
-        check_fields(scene, scene.directional_lights[i], "directional light", i);
-        require(is_unit(scene.directional_lights[i].to_light), "directional light", i, "",
-                "its direction is not unit");
-    }
+    for_each_light_list(scene, [&](const auto& lights, const auto&, const char* words) {
+        for (size_t i = 0; i < lights.size(); ++i) check_fields(scene, lights[i], words, i);
+    });
 }
 
 /// What the chapter states of elements of one of the scene's lists, by index.
@@ -187,10 +185,9 @@ void check_stated(const Scene& scene, const std::map<uint32_t, T>& stated, size_
 void check_chapter(const Scene& scene) {
     const ChapterScene& chapter = scene.chapter;
     check_stated(scene, chapter.phong, scene.materials.size(), "material");
-    check_stated(scene, chapter.point_intensities, scene.point_lights.size(), "point light",
-                 "chapter_intensity ");
-    check_stated(scene, chapter.directional_intensities, scene.directional_lights.size(),
-                 "directional light", "chapter_intensity ");
+    for_each_light_list(scene, [&](const auto& lights, const auto& intensities, const char* words) {
+        check_stated(scene, intensities, lights.size(), words, "chapter_intensity ");
+    });
     for (size_t i = 0; i < chapter.area_lights.size(); ++i)
         check_fields(scene, chapter.area_lights[i], "area light", i);
     const std::string text = problem(scene, {}, chapter.whitted);

@@ -97,9 +97,11 @@ static bool lights_scene(const Scene& scene, const Material& material) {
 }
 
 static bool anything_emits(const Scene& scene) {
-    if (emits(scene.environment) || !scene.point_lights.empty() ||
-        !scene.directional_lights.empty())
-        return true;
+    bool found = emits(scene.environment);
+    for_each_light_list(scene, [&](const auto& lights, const auto&, const char*) {
+        found = found || !lights.empty();
+    });
+    if (found) return true;
     std::vector<bool> lights;
     for (const Material& material : scene.materials)
         lights.push_back(lights_scene(scene, material));

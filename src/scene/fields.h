@@ -46,6 +46,7 @@ enum class Form {
     color,          ///< in files three numbers, or one for all
     degrees,        ///< in files; the member holds radians
     length,         ///< of world units: grows with what it belongs to
+    travel,         ///< in files the way that light travels; the member is the unit vector against
     srgb_texture,   ///< in files an image; the member is an index, or NO_TEXTURE
     linear_texture, ///< the same for data
     material,       ///< an index of a material

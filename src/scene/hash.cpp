@@ -82,13 +82,14 @@ std::string scene_hash(const Scene& scene) {
     add(hasher, scene.instances);
     add(hasher, scene.spheres);
     add(hasher, scene.shapes);
-    add(hasher, scene.point_lights);
-    add(hasher, scene.directional_lights);
+    for_each_light_list(scene,
+                        [&](const auto& list, const auto&, const char*) { add(hasher, list); });
     add(hasher, scene.environment);
     add(hasher, scene.cameras);
     add(hasher, scene.chapter.phong);
-    add(hasher, scene.chapter.point_intensities);
-    add(hasher, scene.chapter.directional_intensities);
+    for_each_light_list(scene, [&](const auto&, const auto& intensities, const char*) {
+        add(hasher, intensities);
+    });
     add(hasher, scene.chapter.area_lights);
     add(hasher, scene.chapter.whitted);
     return hasher.hex();

@@ -30,12 +30,27 @@ struct DirectionalLight {
 };
 
 constexpr auto fields_of(TypeTag<DirectionalLight>) {
-    return std::tuple{
-        LoaderKey{"direction", "`[x, y, z]`", "the way the light travels", "required"},
-        field_without_key(&DirectionalLight::to_light, "direction"),
-        field("irradiance", &DirectionalLight::irradiance, "W/m^2 on a surface facing the light",
-              {.range = NOT_NEGATIVE, .form = Form::color, .absent = FROM_CHAPTER})};
+    return std::tuple{field("direction", &DirectionalLight::to_light, "the way the light travels",
+                            {.form = Form::travel, .required = true}),
+                      field("irradiance", &DirectionalLight::irradiance,
+                            "W/m^2 on a surface facing the light",
+                            {.range = NOT_NEGATIVE, .form = Form::color, .absent = FROM_CHAPTER})};
 }
+
+inline PointLight placed(PointLight light, const glm::mat4& transform) {
+    light.position = glm::vec3(transform * glm::vec4(light.position, 1.0f));
+    return light;
+}
+inline DirectionalLight placed(DirectionalLight light, const glm::mat4& transform) {
+    light.to_light = glm::normalize(glm::mat3(transform) * light.to_light);
+    return light;
+}
+
+/// The lists of lights without geometry, each once: LIST(Type, list, words). What goes through the
+/// lights of a scene goes by this list.
+#define LIGHT_LISTS(LIST)                                                                          \
+    LIST(PointLight, point_lights, "point light")                                                  \
+    LIST(DirectionalLight, directional_lights, "directional light")
 
 /// Light from infinity: `radiance` times the equirectangular `map` if there is one.
 /// Map row 0 is straight up (+Y); the centre column is -Z; +X is to the right of it.

@@ -35,8 +35,10 @@ bool glows(const Material& material) {
 }
 
 size_t count_lights(const Scene& scene) {
-    return scene.point_lights.size() + scene.directional_lights.size() +
-           scene.chapter.area_lights.size();
+    size_t count = scene.chapter.area_lights.size();
+    for_each_light_list(
+        scene, [&](const auto& lights, const auto&, const char*) { count += lights.size(); });
+    return count;
 }
 
 /// Glowing materials whose geometry is not of a light that Whitted knows.

@@ -136,18 +136,11 @@ static void take_whitted(Scene& whole, const ChapterScene& part) {
 static void append_lights(Scene& whole, const Scene& part, const AssetOffsets& offsets,
                           const glm::mat4& transform) {
     ChapterScene& chapter = whole.chapter;
-    take_shifted(chapter.point_intensities, part.chapter.point_intensities,
-                 whole.point_lights.size());
-    take_shifted(chapter.directional_intensities, part.chapter.directional_intensities,
-                 whole.directional_lights.size());
-    for (PointLight light : part.point_lights) {
-        light.position = transform_point(transform, light.position);
-        whole.point_lights.push_back(light);
-    }
-    for (DirectionalLight light : part.directional_lights) {
-        light.to_light = glm::normalize(glm::mat3(transform) * light.to_light);
-        whole.directional_lights.push_back(light);
-    }
+#define ONDE_APPEND(Type, list, words)                                                             \
+    take_shifted(chapter.intensities.list, part.chapter.intensities.list, whole.list.size());      \
+    for (const Type& light : part.list) whole.list.push_back(placed(light, transform));
+    LIGHT_LISTS(ONDE_APPEND)
+#undef ONDE_APPEND
     for (const AreaLight& light : part.chapter.area_lights)
         chapter.area_lights.push_back(placed(light, transform, offsets.materials));
 }

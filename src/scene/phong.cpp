@@ -84,11 +84,11 @@ static glm::vec3 stated_at(const std::map<uint32_t, glm::vec3>& intensities, uin
 }
 
 glm::vec3 point_intensity(const Scene& scene, uint32_t light) {
-    return stated_at(scene.chapter.point_intensities, light);
+    return stated_at(scene.chapter.intensities.point_lights, light);
 }
 
 glm::vec3 directional_intensity(const Scene& scene, uint32_t light) {
-    return stated_at(scene.chapter.directional_intensities, light);
+    return stated_at(scene.chapter.intensities.directional_lights, light);
 }
 
 Material path_material(const Scene& scene, uint32_t material) {
@@ -123,12 +123,12 @@ void complete_lights(Scene& scene) {
     };
     for (uint32_t i = 0; i < scene.point_lights.size(); ++i) {
         PointLight& light = scene.point_lights[i];
-        glm::vec3& intensity = chapter.point_intensities.try_emplace(i, 0.0f).first->second;
+        glm::vec3& intensity = chapter.intensities.point_lights.try_emplace(i, 0.0f).first->second;
         complete(intensity, light.intensity, PI * distance2(light.position),
                  chapter.derived_lights);
     }
     for (uint32_t i = 0; i < scene.directional_lights.size(); ++i)
-        complete(chapter.directional_intensities.try_emplace(i, 0.0f).first->second,
+        complete(chapter.intensities.directional_lights.try_emplace(i, 0.0f).first->second,
                  scene.directional_lights[i].irradiance, PI, chapter.derived_lights);
     for (AreaLight& light : chapter.area_lights)
         complete(light.intensity, scene.materials[light.material].emission,

@@ -24,13 +24,23 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Sphere> spheres;
     std::vector<Shape> shapes;
-    std::vector<PointLight> point_lights;
-    std::vector<DirectionalLight> directional_lights;
+#define ONDE_LIST(Type, list, words) std::vector<Type> list;
+    LIGHT_LISTS(ONDE_LIST)
+#undef ONDE_LIST
     Environment environment;
     std::vector<Camera> cameras;
     RenderSettings settings;
     ChapterScene chapter;
     std::vector<std::string> notes; ///< what was mapped, ignored or added, a sentence each
 };
+
+/// Calls visit(list, intensities, words) for each list of lights without geometry, with what the
+/// chapter states of them.
+template <class AnyScene, class Visit>
+void for_each_light_list(AnyScene& scene, const Visit& visit) {
+#define ONDE_VISIT(Type, list, words) visit(scene.list, scene.chapter.intensities.list, words);
+    LIGHT_LISTS(ONDE_VISIT)
+#undef ONDE_VISIT
+}
 
 } // namespace onde

@@ -48,6 +48,11 @@ inline std::optional<glm::vec3> read(const TableReader& table, std::string_view 
                                      const FieldRules& rules, TypeTag<glm::vec3>) {
     if (rules.form == Form::color) return table.color(key, rules.range);
     const auto value = table.vector(key, rules.range);
+    if (value && rules.form == Form::travel) {
+        const glm::dvec3 travel(*value);
+        if (glm::length(travel) < 1e-30) table.fail(key, "must not be zero");
+        return glm::vec3(-glm::normalize(travel));
+    }
     return value && rules.form == Form::degrees ? glm::radians(*value) : value;
 }
 

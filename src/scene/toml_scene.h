@@ -55,8 +55,6 @@ class TomlScene {
     uint32_t default_material();
     uint32_t emitter(const TableReader& table);
     void add_area_light(const TableReader& table, AreaLight light);
-    void add_point_light(const TableReader& table);
-    void add_directional_light(const TableReader& table);
     void add_rectangle_light(const TableReader& table);
     void add_disk_light(const TableReader& table);
     void add_sphere_light(const TableReader& table);

@@ -193,36 +193,26 @@ void TomlScene::read_shape(const TableReader& table) {
 }
 
 /// Of the chapter's measure and the radiometric one at least one is needed.
-static void require_measure(const TableReader& table, const char* radiometric) {
+static void require_measure(const TableReader& table, std::string_view radiometric) {
     if (!table.has("chapter_intensity") && !table.has(radiometric))
         table.fail(radiometric, "is missing; add it, or chapter_intensity");
 }
 
-/// The chapter's intensity of a light without geometry, where its table states one.
-static void read_intensity(const TableReader& table, std::map<uint32_t, glm::vec3>& intensities,
-                           size_t light) {
+/// Reads a light without geometry, of which the chapter may say more.
+template <class Light>
+static void add_light(const TableReader& table, std::vector<Light>& lights,
+                      std::map<uint32_t, glm::vec3>& intensities) {
+    Light light;
+    for_each_field(light, [&]<class Value>(const auto& field, Value& value) {
+        if (field.rules.absent != FROM_CHAPTER) return;
+        require_measure(table, field.key);
+        value = Value(0.0f);
+    });
+    read_fields(table, light);
     keys::ChapterLight stated;
     read_fields(table, stated);
-    if (table.has("chapter_intensity")) intensities[uint32_t(light)] = stated.intensity;
-}
-
-void TomlScene::add_point_light(const TableReader& table) {
-    require_measure(table, "intensity");
-    PointLight light{.intensity = glm::vec3(0.0f)};
-    read_fields(table, light);
-    read_intensity(table, scene_.chapter.point_intensities, scene_.point_lights.size());
-    scene_.point_lights.push_back(light);
-}
-
-void TomlScene::add_directional_light(const TableReader& table) {
-    const glm::dvec3 direction(table.require("direction", table.vector("direction")));
-    if (glm::length(direction) < 1e-30) table.fail("direction", "must not be zero");
-    require_measure(table, "irradiance");
-    DirectionalLight light{.to_light = glm::vec3(-glm::normalize(direction)),
-                           .irradiance = glm::vec3(0.0f)};
-    read_fields(table, light);
-    read_intensity(table, scene_.chapter.directional_intensities, scene_.directional_lights.size());
-    scene_.directional_lights.push_back(light);
+    if (table.has("chapter_intensity")) intensities[uint32_t(lights.size())] = stated.intensity;
+    lights.push_back(light);
 }
 
 /// A black material that emits the light's radiance.
@@ -278,22 +268,27 @@ void TomlScene::read_light(const TableReader& table) {
     const auto type = table.require("type", table.choice<keys::LightType>("type"));
     table.allow(keys::keys_of_light(type));
     switch (type) {
-    case keys::LightType::point:
-        return add_point_light(table);
-    case keys::LightType::directional:
-        return add_directional_light(table);
     case keys::LightType::rectangle:
         return add_rectangle_light(table);
     case keys::LightType::disk:
         return add_disk_light(table);
     case keys::LightType::sphere:
         return add_sphere_light(table);
+    default:
+        break;
     }
+    visit_keys(type,
+               [&]<class Own, class... More>(std::string_view, TypeTag<Own>, TypeTag<More>...) {
+#define ONDE_ADD(Type, list, words)                                                                \
+    if constexpr (std::is_same_v<Own, Type>)                                                       \
+        add_light(table, scene_.list, scene_.chapter.intensities.list);
+                   LIGHT_LISTS(ONDE_ADD)
+#undef ONDE_ADD
+               });
 }
 
 static void keep_geometry(Scene& scene) {
-    scene.point_lights.clear();
-    scene.directional_lights.clear();
+    for_each_light_list(scene, [](auto& lights, const auto&, const char*) { lights.clear(); });
     scene.cameras.clear();
     scene.environment = {};
     scene.settings = {};

@@ -132,7 +132,7 @@ TEST_CASE("light that falls on a surface is what the formula says, behind a pane
     scene.chapter.phong[0] = {.ambient = 0, .diffuse = 0.75f, .specular = 0.5f, .exponent = 2};
     scene.chapter.phong[1].transmission = 0.5f;
     scene.point_lights = {{.position = {0, 3, 3}}};
-    scene.chapter.point_intensities[0] = glm::vec3(0.5f);
+    scene.chapter.intensities.point_lights[0] = glm::vec3(0.5f);
     Camera camera; // looks down at the origin from (0, 2, 0)
     camera.camera_to_world = glm::mat4({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 2, 0, 1});
     scene.cameras = {camera};

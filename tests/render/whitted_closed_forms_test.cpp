@@ -81,7 +81,7 @@ TEST_CASE("the parts of Phong's formula have their closed forms") {
     add_rectangle(scene, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0},
                   add_material(scene, phong, {0.5f, 1, 0.25f}));
     scene.point_lights.push_back({{0, 0, 1}, {}});
-    scene.chapter.point_intensities[0] = glm::vec3(0.5f);
+    scene.chapter.intensities.point_lights[0] = glm::vec3(0.5f);
     scene.cameras.push_back(parallel_rays(3.0f, 5.0f));
     const Image image = whitted(scene, options_of(65, 65));
     for (uint32_t y = 0; y < 65; y++)
@@ -211,7 +211,7 @@ TEST_CASE("a translucent surface dims a shadow by its factor and does not bend i
     for (const float z : {2.0f, 3.0f})
         add_rectangle(scene, {0, -2, z}, {2, 0, 0}, {0, 4, 0}, glass);
     scene.directional_lights.push_back({{0, 0, 1}, {}});
-    scene.chapter.directional_intensities[0] = glm::vec3(1.0f);
+    scene.chapter.intensities.directional_lights[0] = glm::vec3(1.0f);
     scene.cameras.push_back(parallel_rays(2.0f, 1.0f));
     const Image image = whitted(scene, options_of(8, 8));
     CHECK(image.pixel(1, 4)[0] == Approx(1.0f).epsilon(1e-6));

@@ -203,10 +203,10 @@ TEST_CASE("every render setting is taken from a part where the whole has none") 
 TEST_CASE("what the chapter states of materials and lights moves with them") {
     Scene whole = one_of_each(), part = one_of_each();
     part.chapter.phong[1].exponent = 7;
-    part.chapter.point_intensities[0] = glm::vec3(2);
+    part.chapter.intensities.point_lights[0] = glm::vec3(2);
     append(whole, std::move(part));
     CHECK(whole.chapter.phong.at(3).exponent == 7);
-    CHECK(whole.chapter.point_intensities.at(1) == glm::vec3(2));
-    CHECK_FALSE(whole.chapter.point_intensities.contains(0));
+    CHECK(whole.chapter.intensities.point_lights.at(1) == glm::vec3(2));
+    CHECK_FALSE(whole.chapter.intensities.point_lights.contains(0));
     CHECK(whole.chapter.area_lights[1].material == 2);
 }

@@ -73,7 +73,7 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
 #if ESTIMATOR_TREE
         count_by_level(e.job.counters, COUNTER_EXTENSION, state.level, one_for(alive));
         const mask tree = alive;
-        alive = visit_node(e, &state, hits, id, tree);
+        alive = follow_tree(e, &state, hits, id, tree);
         gathered.sum = choose(tree & !alive, state.color, gathered.sum);
 #else
         count_rays(e.job.counters, COUNTER_EXTENSION, bounce, popcount(bits));

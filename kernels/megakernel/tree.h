@@ -61,7 +61,7 @@ INLINE real3 node_color(Estimator e, TreeVertex v, State ray, natural id, mask l
 
 // Takes `ray` from its hit to the next ray of its tree. Returns the lanes whose trees go on; the
 // others' are done, and `ray` holds their colour.
-INLINE mask visit_node(Estimator e, State* ray, Hits hits, natural id, mask lanes) {
+INLINE mask follow_tree(Estimator e, State* ray, Hits hits, natural id, mask lanes) {
     const TreeVertex v = estimator_look(e, *ray, hits, lanes);
     natural tested = (natural)(0u);
     ray->color = node_color(e, v, *ray, id, lanes, &tested);

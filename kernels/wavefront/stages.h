@@ -118,7 +118,7 @@ INLINE void stage_visit(Estimator e, WaveView wave, uint begin, uint end) {
         const mask lanes = group_lanes(i, end);
         const natural id = choose(lanes, load_id(wave, i), (natural)(0u));
         State state = load_state(wave.state, i);
-        const mask alive = visit_node(e, &state, load_hits(wave_hits(wave), i), id, lanes);
+        const mask alive = follow_tree(e, &state, load_hits(wave_hits(wave), i), id, lanes);
         store_sums(wave, id, state.color, mask_bits(lanes & !alive));
         store_state(wave.state, i, state);
         store_alive(wave, i, alive);

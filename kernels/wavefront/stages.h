@@ -59,7 +59,7 @@ INLINE void test_connections(Estimator e, WaveView wave, FilmView film, const ui
 
 // Tests the connections of a vertex, the camera or light being vertex 0, and delivers what arrives.
 // Returns how many there were.
-INLINE uint stage_connect(Estimator e, WaveView wave, FilmView film, uint vertex, uint begin,
+OUTLINED uint stage_connect(Estimator e, WaveView wave, FilmView film, uint vertex, uint begin,
                           uint end) {
     uint slots[OCCLUDED_SLOTS];
     uint count = 0, tested = 0;
@@ -136,7 +136,7 @@ INLINE uint count_alive(WaveView wave, uint begin, uint end) {
 
 // Moves the paths that go on to consecutive slots of `to` from `first`; returns their number. In
 // place it is safe for first <= begin: the write position never passes the read position.
-INLINE uint stage_extend(WaveView wave, Columns to, uint begin, uint end, uint first) {
+OUTLINED uint stage_extend(WaveView wave, Columns to, uint begin, uint end, uint first) {
     uint next = first;
     for (uint i = begin; i < end; i += ONDE_WIDTH) {
         const uint bits = mask_bits(group_lanes(i, end) & load_alive(wave, i));

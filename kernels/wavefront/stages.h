@@ -60,7 +60,7 @@ INLINE void test_connections(Estimator e, WaveView wave, FilmView film, const ui
 // Tests the connections of a vertex, the camera or light being vertex 0, and delivers what arrives.
 // Returns how many there were.
 OUTLINED uint stage_connect(Estimator e, WaveView wave, FilmView film, uint vertex, uint begin,
-                          uint end) {
+                            uint end) {
     uint slots[OCCLUDED_SLOTS];
     uint count = 0, tested = 0;
     for (uint i = begin; i < end; i += ONDE_WIDTH) {

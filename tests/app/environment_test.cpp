@@ -73,10 +73,10 @@ TEST_CASE("PoCL that is told to compile for an older processor gives the same pi
     const Folder folder;
     const auto picture = [&](const std::string& name, Environment environment) {
         environment["ONDE_DEVICE"] = "Portable";
-        return onde::test::onde(folder,
-                                {"render", CORNELL, "--size", "16x12", "--spp", "1", "--quiet",
-                                 "--float", "-o", name},
-                                environment);
+        return onde::test::onde(
+            folder,
+            {"render", CORNELL, "--size", "16x12", "--spp", "1", "--quiet", "--float", "-o", name},
+            environment);
     };
     REQUIRE(picture("own.exr", {}).code == 0);
     for (const std::string kernels : {"avx2", "sse2"}) {

@@ -1,6 +1,6 @@
-// How fast Onde walks its trees, beside every way of asking Embree, in the same process: recorded
-// rays, the answers compared first, then every contender in turn, again and again. Medians are
-// printed.
+// How fast Onde traverses its trees, beside every way of asking Embree, in the same process:
+// recorded rays, the answers compared first, then every contender in turn, again and again. Medians
+// are printed.
 #include "embree_scene.h"
 #include "front.h"
 #include "traversal_report.h"
@@ -87,12 +87,13 @@ int main(int argc, char** argv) {
                 {.value = "WORD,...",
                  .delimiter = ',',
                  .words = {"primary", "shadow", "ao", "bounce", "bounce3"}});
-    root.option("--traversals", &options.race.traversals, "only these walks, beside single rays",
+    root.option("--traversals", &options.race.traversals,
+                "only these traversals, beside single rays",
                 {.value = "WORD,...",
                  .delimiter = ',',
                  .words = {"single", "packet", "stream", "interleaved"}});
-    root.option("--against", &options.against, "race the walks of the kernels in this folder too",
-                {.value = "DIR"});
+    root.option("--against", &options.against,
+                "race the traversals of the kernels in this folder too", {.value = "DIR"});
     onde::bench::add_device(root, options.device);
     onde::bench::add_kernels(root, options.kernels);
     onde::bench::add_repetitions(root, options.race.repetitions);

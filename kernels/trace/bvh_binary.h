@@ -1,4 +1,4 @@
-// The binary tree, walked by one ray: both boxes of a pair at once, the nearer child first.
+// The binary tree, traversed by one ray: both boxes of a pair at once, the nearer child first.
 #ifndef ONDE_TRACE_BVH_BINARY_H
 #define ONDE_TRACE_BVH_BINARY_H
 

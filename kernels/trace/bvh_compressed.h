@@ -1,6 +1,6 @@
-// The compressed tree, walked by one ray: the eight boxes of a node at once, children in the order
-// of the ray's signs (Ylitie, Karras and Laine, "Efficient incoherent ray traversal on GPUs through
-// compressed wide BVHs", 2017).
+// The compressed tree, traversed by one ray: the eight boxes of a node at once, children in the
+// order of the ray's signs (Ylitie, Karras and Laine, "Efficient incoherent ray traversal on GPUs
+// through compressed wide BVHs", 2017).
 #ifndef ONDE_TRACE_BVH_COMPRESSED_H
 #define ONDE_TRACE_BVH_COMPRESSED_H
 
@@ -90,7 +90,7 @@ INLINE uint count_children(BvhView bvh, uint index) {
 }
 #endif
 
-// Where a walk stands: what it does next, and the ray in the space of the tree that it is in.
+// Where a traversal stands: what it does next, and the ray in the space of the tree that it is in.
 typedef struct {
     NodeGroup nodes, slots;
     uint size; // of the stack
@@ -102,56 +102,57 @@ INLINE uint has_nodes(NodeGroup group) {
     return group.bits >> FIRST_IN_ORDER;
 }
 
-INLINE void place_traversal(CompressedTraversal* walk, PlacedRay ray) {
-    walk->ray = ray;
-    walk->signs = ray_signs(ray.slab);
+INLINE void place_traversal(CompressedTraversal* traversal, PlacedRay ray) {
+    traversal->ray = ray;
+    traversal->signs = ray_signs(ray.slab);
 }
 INLINE CompressedTraversal start_traversal(BvhView bvh, PlacedRay ray) {
-    CompressedTraversal walk = {root_group(bvh.root), {0, 0}, 0};
-    place_traversal(&walk, ray);
-    return walk;
+    CompressedTraversal traversal = {root_group(bvh.root), {0, 0}, 0};
+    place_traversal(&traversal, ray);
+    return traversal;
 }
 
 // Visits the nearest node of the group; its index.
-INLINE uint visit_nearest(CompressedTraversal* walk, NodeGroup* stack, BvhView bvh, float t_max) {
-    const uint index = take_nearest(&walk->nodes, walk->signs);
-    if (has_nodes(walk->nodes)) stack[walk->size++] = walk->nodes;
+INLINE uint visit_nearest(CompressedTraversal* traversal, NodeGroup* stack, BvhView bvh,
+                          float t_max) {
+    const uint index = take_nearest(&traversal->nodes, traversal->signs);
+    if (has_nodes(traversal->nodes)) stack[traversal->size++] = traversal->nodes;
     const NodeVisit visit =
-        visit_node(bvh, index, walk->ray.slab, walk->signs, walk->ray.entry, t_max);
-    walk->nodes = visit.nodes;
-    walk->slots = visit.slots;
+        visit_node(bvh, index, traversal->ray.slab, traversal->signs, traversal->ray.entry, t_max);
+    traversal->nodes = visit.nodes;
+    traversal->slots = visit.slots;
     return index;
 }
 
-INLINE __global const BvhSlot* take_slot(CompressedTraversal* walk, BvhView bvh) {
-    const uint bit = lowest_bit(walk->slots.bits);
-    walk->slots.bits &= walk->slots.bits - 1;
-    return bvh_slot(bvh, walk->slots.base + bit);
+INLINE __global const BvhSlot* take_slot(CompressedTraversal* traversal, BvhView bvh) {
+    const uint bit = lowest_bit(traversal->slots.bits);
+    traversal->slots.bits &= traversal->slots.bits - 1;
+    return bvh_slot(bvh, traversal->slots.base + bit);
 }
 
 // Interleaved to an instance's tree; the rest of this one waits.
-INLINE void enter_instance(CompressedTraversal* walk, NodeGroup* stack, BvhView bvh, uint instance,
-                           PlacedRay start) {
-    if (has_nodes(walk->nodes)) stack[walk->size++] = walk->nodes;
-    if (walk->slots.bits) stack[walk->size++] = walk->slots;
-    stack[walk->size++] = leave_instance();
-    place_traversal(walk,
+INLINE void enter_instance(CompressedTraversal* traversal, NodeGroup* stack, BvhView bvh,
+                           uint instance, PlacedRay start) {
+    if (has_nodes(traversal->nodes)) stack[traversal->size++] = traversal->nodes;
+    if (traversal->slots.bits) stack[traversal->size++] = traversal->slots;
+    stack[traversal->size++] = leave_instance();
+    place_traversal(traversal,
                     place_in_instance(bvh, instance, start.origin, start.direction, start.entry));
-    walk->nodes = root_group(bvh.instances[instance].root);
-    walk->slots.bits = 0;
+    traversal->nodes = root_group(bvh.instances[instance].root);
+    traversal->slots.bits = 0;
 }
 
 // Takes from the stack when nothing is left to do; whether there is something then.
-INLINE uint find_work(CompressedTraversal* walk, const NodeGroup* stack, PlacedRay start) {
-    while (!has_nodes(walk->nodes) && !walk->slots.bits) {
-        if (walk->size == 0) return 0;
-        const NodeGroup group = stack[--walk->size];
+INLINE uint find_work(CompressedTraversal* traversal, const NodeGroup* stack, PlacedRay start) {
+    while (!has_nodes(traversal->nodes) && !traversal->slots.bits) {
+        if (traversal->size == 0) return 0;
+        const NodeGroup group = stack[--traversal->size];
         if (group.base == BVH_NONE)
-            place_traversal(walk, start);
+            place_traversal(traversal, start);
         else if (has_nodes(group))
-            walk->nodes = group;
+            traversal->nodes = group;
         else
-            walk->slots = group;
+            traversal->slots = group;
     }
     return 1;
 }
@@ -164,25 +165,25 @@ OUTLINED Hit traverse_closest(BVH_SCALARS, float3 origin, float t_min, float3 di
     NodeGroup stack[ONDE_STACK_SIZE];
     DECLARE_COUNTERS
     const PlacedRay start = place_ray(origin, direction, t_min, BVH_NONE);
-    CompressedTraversal walk = start_traversal(bvh, start);
+    CompressedTraversal traversal = start_traversal(bvh, start);
     do {
-        if (!walk.slots.bits) {
-            const uint index = visit_nearest(&walk, stack, bvh, hit.t);
+        if (!traversal.slots.bits) {
+            const uint index = visit_nearest(&traversal, stack, bvh, hit.t);
             COUNT_TESTS(boxes, count_children(bvh, index));
             (void)index;
         }
-        while (walk.slots.bits) {
-            __global const BvhSlot* slot = take_slot(&walk, bvh);
+        while (traversal.slots.bits) {
+            __global const BvhSlot* slot = take_slot(&traversal, bvh);
 #if ONDE_INSTANCES
             if (slot->kind == BVH_LEAF_INSTANCE) {
-                enter_instance(&walk, stack, bvh, slot->primitive, start);
+                enter_instance(&traversal, stack, bvh, slot->primitive, start);
                 break;
             }
 #endif
             COUNT_TESTS(primitives, 1);
-            hit = closest_in_slot(bvh, slot, walk.ray, t_min, t_min, hit);
+            hit = closest_in_slot(bvh, slot, traversal.ray, t_min, t_min, hit);
         }
-    } while (find_work(&walk, stack, start));
+    } while (find_work(&traversal, stack, start));
     STORE_COUNTERS(hit)
     return hit;
 }
@@ -193,20 +194,20 @@ OUTLINED uint traverse_occluded(BVH_SCALARS, float3 origin, float t_min, float3 
     if (!is_finite_ray(origin, direction)) return 0;
     NodeGroup stack[ONDE_STACK_SIZE];
     const PlacedRay start = place_ray(origin, direction, t_min, BVH_NONE);
-    CompressedTraversal walk = start_traversal(bvh, start);
+    CompressedTraversal traversal = start_traversal(bvh, start);
     do {
-        if (!walk.slots.bits) visit_nearest(&walk, stack, bvh, t_max);
-        while (walk.slots.bits) {
-            __global const BvhSlot* slot = take_slot(&walk, bvh);
+        if (!traversal.slots.bits) visit_nearest(&traversal, stack, bvh, t_max);
+        while (traversal.slots.bits) {
+            __global const BvhSlot* slot = take_slot(&traversal, bvh);
 #if ONDE_INSTANCES
             if (slot->kind == BVH_LEAF_INSTANCE) {
-                enter_instance(&walk, stack, bvh, slot->primitive, start);
+                enter_instance(&traversal, stack, bvh, slot->primitive, start);
                 break;
             }
 #endif
-            if (any_in_slot(bvh, slot, walk.ray, t_min, t_max)) return 1;
+            if (any_in_slot(bvh, slot, traversal.ray, t_min, t_max)) return 1;
         }
-    } while (find_work(&walk, stack, start));
+    } while (find_work(&traversal, stack, start));
     return 0;
 }
 

@@ -1,9 +1,9 @@
-// Closest hits of 16 rays that have nothing in common: each walks by itself, but they take turns.
-// What a step reads is asked for one turn ahead, so that memory answers while the other rays make
-// theirs; and as a turn makes one kind of step for all rays before the next kind, what each finds
-// seldom makes the processor guess. After the idea of Chen, Ailamaki et al., "Improving hash join
-// performance through prefetching", 2004 (group prefetching). Answers are those of bvh_closest, bit
-// for bit.
+// Closest hits of 16 rays that have nothing in common: each traverses by itself, a step at a time
+// after the others. What a step reads is asked for one turn ahead, so that memory answers while the
+// other rays make theirs; and as a turn makes one kind of step for all rays before the next kind,
+// what each finds seldom makes the processor guess. After the idea of Chen, Ailamaki et al.,
+// "Improving hash join performance through prefetching", 2004 (group prefetching). Answers are
+// those of bvh_closest, bit for bit.
 #ifndef ONDE_TRACE_BVH_INTERLEAVED_H
 #define ONDE_TRACE_BVH_INTERLEAVED_H
 
@@ -16,7 +16,7 @@ typedef struct {
     uint size[STREAM_WIDTH];      // of its stack
     ulong stack[STREAM_WIDTH][ONDE_STACK_SIZE];
 #if ONDE_INSTANCES
-    StreamRays placed; // the rays in the space of the tree that each walks
+    StreamRays placed; // the rays in the space of the tree that each traverses
     float entry[STREAM_WIDTH];
     uint instance[STREAM_WIDTH]; // as in PlacedRay
 #endif

@@ -1,8 +1,8 @@
-// A ray against what hangs in the leaves: blocks of triangles, spheres, shapes, instances.
+// A ray against what leaves hold: blocks of triangles, spheres, shapes, instances.
 #ifndef ONDE_TRACE_BVH_LEAF_H
 #define ONDE_TRACE_BVH_LEAF_H
 
-// Whether a closest-hit walk counts its tests (for heat maps and the laboratory).
+// Whether a closest-hit traversal counts its tests (for heat maps and the laboratory).
 #ifndef ONDE_TRAVERSAL_COST
     #define ONDE_TRAVERSAL_COST 0
 #endif
@@ -17,11 +17,12 @@ typedef struct {
     float t, u, v;
     uint primitive, instance;
 #if ONDE_TRAVERSAL_COST
-    uint boxes, primitives; // that the walk has tested
+    uint boxes, primitives; // that the traversal has tested
 #endif
 } Hit;
 
-// A walk's counters, where it counts: variables of their own, as a hit is replaced by closer ones.
+// A traversal's counters, where it counts: variables of their own, as a hit is replaced by closer
+// ones.
 #if ONDE_TRAVERSAL_COST
     #define DECLARE_COUNTERS uint boxes = 0, primitives = 0;
     #define COUNT_TESTS(counter, amount) counter += (amount)
@@ -86,8 +87,8 @@ INLINE Hit closest_of_block(__global const uchar* block, TriangleTest8 test, int
 }
 
 // `hit`, or the closest hit of the block's triangles in (t_min, hit.t]. A hit counts as no closer
-// than `near`, where the ray enters the block's box: rounding may say otherwise, and the walk over
-// boxes would then find it or not depending on its order.
+// than `near`, where the ray enters the block's box: rounding may say otherwise, and the traversal
+// of boxes would then find it or not depending on its order.
 INLINE Hit closest_in_block(__global const uchar* block, float3 origin, float t_min,
                             float3 direction, float near, uint instance, Hit hit) {
     const TriangleTest8 test = test_block(block_triangles(block), origin, direction);

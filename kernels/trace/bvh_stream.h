@@ -1,8 +1,8 @@
-// The tree, walked by 16 or 32 rays in company, whatever their directions: each entry of the stack
-// is a child and the rays that meet its box. A node is read once for all of them; rays test it one
-// after the other, without a branch in between, so that the processor overlaps their work and
-// mispredicts once a node instead of once a ray. After Barringer and Akenine-Moeller, "Dynamic ray
-// stream traversal", 2014. Answers are those of the walks in bvh.h, bit for bit.
+// The tree, traversed by a ray stream of 16 or 32, whatever their directions: each entry of the
+// stack is a child and the rays that meet its box. A node is read once for all of them; rays test
+// it one after the other, without a branch in between, so that the processor overlaps their work
+// and mispredicts once a node instead of once a ray. After Barringer and Akenine-Moeller, "Dynamic
+// ray stream traversal", 2014. Answers are those of the traversals in bvh.h, bit for bit.
 #ifndef ONDE_TRACE_BVH_STREAM_H
 #define ONDE_TRACE_BVH_STREAM_H
 

@@ -1,4 +1,4 @@
-// Closest hits of 16 rays in company. Nearer children come first, as the last of the rays that meet
+// Closest hits of a ray stream of 16. Nearer children come first, as the last of the rays that meet
 // them has it; when few rays are left below a child they go on one by one.
 #ifndef ONDE_TRACE_BVH_STREAM_CLOSEST_H
 #define ONDE_TRACE_BVH_STREAM_CLOSEST_H
@@ -196,7 +196,7 @@ INLINE void meet_triangles(__global const uchar* block, const StreamRays* rays, 
     }
 }
 
-// The rays in `bits` against what hangs in a leaf.
+// The rays in `bits` against what a leaf holds.
 INLINE void meet_leaf(BvhView bvh, uint word, const StreamRays* rays, const float* t_min,
                       const float* near, uint instance, StreamHits* hits, uint bits) {
     if ((word & BVH_KIND_MASK) == BVH_LEAF_TRIANGLES) {

@@ -1,4 +1,4 @@
-// Whether anything is hit, by up to 32 rays in company: a stack entry is a child and the rays that
+// Whether anything is hit, by a ray stream of up to 32: a stack entry is a child and the rays that
 // meet it.
 #ifndef ONDE_TRACE_BVH_STREAM_OCCLUDED_H
 #define ONDE_TRACE_BVH_STREAM_OCCLUDED_H

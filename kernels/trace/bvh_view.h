@@ -6,7 +6,7 @@
 #include "trace/bvh_leaf.h"
 #include "trace/bvh_slab.h"
 
-// Entries that the tree's deepest walk needs: Bvh::stack_size.
+// Entries that the tree's deepest traversal needs: Bvh::stack_size.
 #ifndef ONDE_STACK_SIZE
     #define ONDE_STACK_SIZE 256
 #endif
@@ -33,8 +33,8 @@ INLINE uint is_finite_ray(float3 origin, float3 direction) {
     return sum.x + sum.y + sum.z == 0.0f;
 }
 
-// What waits on the stack of a closest-hit walk: distance << 32 | child word. Positive floats order
-// like their bits, so one integer comparison sorts by distance.
+// What waits on the stack of a closest-hit traversal: distance << 32 | child word. Positive floats
+// order like their bits, so one integer comparison sorts by distance.
 INLINE ulong stack_entry(float distance, uint word) {
     return (ulong)as_uint(distance) << 32 | word;
 }
@@ -46,7 +46,7 @@ INLINE float entry_distance(ulong entry) {
 #define STACK_LEAVE_INSTANCE ((ulong)BVH_NONE)
 
 // The view as single parameters: of kernels, and of functions that are not inlined, where a struct
-// would go through memory, which a short walk feels.
+// would go through memory, which a short traversal feels.
 #define BVH_SCALAR(Type, name, words) __global const Type *name,
 #define BVH_SCALARS BVH_BUFFERS(BVH_SCALAR) uint root
 #define BVH_TO_SCALARS(bvh) bvh.nodes, bvh.blocks, bvh.spheres, bvh.instances, bvh.root
@@ -54,7 +54,7 @@ INLINE float entry_distance(ulong entry) {
 #define BVH_FROM_SCALARS                                                                           \
     { BVH_BUFFERS(BVH_NAME) root }
 
-// A ray in the space of the tree that it walks.
+// A ray in the space of the tree that it traverses.
 typedef struct {
     float3 origin, direction;
     SlabRay slab;

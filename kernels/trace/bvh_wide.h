@@ -1,5 +1,5 @@
-// The wide tree, walked by one ray: closest hit and any hit. Scalar per ray whatever ONDE_WIDTH is;
-// the lanes in here are the 16 children of a node and the 8 triangles of a leaf.
+// The wide tree, traversed by one ray: closest hit and any hit. Scalar per ray whatever ONDE_WIDTH
+// is; the lanes in here are the 16 children of a node and the 8 triangles of a leaf.
 #ifndef ONDE_TRACE_BVH_WIDE_H
 #define ONDE_TRACE_BVH_WIDE_H
 
@@ -94,7 +94,7 @@ INLINE ulong push_farther(ulong* stack, uint* size, BvhView bvh, __global const 
 }
 
 // `hit`, or the closest hit below the child `word`, whose box `ray` enters at `distance`. The stack
-// is what is free of it. `start` is the ray in the space in which the walk begins.
+// is what is free of it. `start` is the ray in the space in which the traversal begins.
 INLINE Hit closest_below(BvhView bvh, uint word, float distance, PlacedRay start, float t_min,
                          ulong* stack, Hit hit) {
     float near[BVH_WIDTH] __attribute__((aligned(64)));
@@ -190,7 +190,7 @@ OUTLINED uint traverse_occluded(BVH_SCALARS, float3 origin, float t_min, float3 
             uint bits = meet_node(node, slab, t_min, t_max).bits;
             if (bits) {
                 // The largest child, which lies in the first slot, is the likeliest to end the
-                // walk.
+                // traversal.
                 word = children[lowest_bit(bits)];
                 for (bits &= bits - 1; bits; bits &= bits - 1) {
                     const uint child = children[lowest_bit(bits)];

@@ -64,8 +64,8 @@ __kernel void occluded_stream(uint count, BVH_SCALARS, __global const float* ray
 }
 
     // The kernels below: work item i takes rays 16 i to 16 i + 15, where the set has as many, by
-    // one of the walks.
-    #define CLOSEST_OF_SIXTEEN(name, walk)                                                         \
+    // one of the traversals.
+    #define CLOSEST_OF_SIXTEEN(name, traverse)                                                     \
         __kernel void name(uint count, BVH_SCALARS, __global const float* rays,                    \
                            __global float* hits) {                                                 \
             const uint first = STREAM_WIDTH * get_global_id(0);                                    \
@@ -77,7 +77,7 @@ __kernel void occluded_stream(uint count, BVH_SCALARS, __global const float* ray
             load_stream(rays, first, count, STREAM_WIDTH, &stream, t_min, t_max);                  \
             clear_stream_hits(&found, vload16(0, t_max));                                          \
             const uint live = min(count - first, (uint)STREAM_WIDTH);                              \
-            walk(BVH_TO_SCALARS(bvh), &stream, t_min, &found, (1u << live) - 1);                   \
+            traverse(BVH_TO_SCALARS(bvh), &stream, t_min, &found, (1u << live) - 1);               \
             for (uint lane = 0; lane < live; lane++)                                               \
                 store_hit(hits, first + lane, stream_hit(&found, lane));                           \
         }

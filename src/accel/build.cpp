@@ -16,7 +16,7 @@ using namespace accel;
 namespace {
 
 /// How the placements divide the geometries.
-struct Hanging {
+struct Attached {
     std::vector<uint32_t> direct;    ///< geometries whose primitives are the world tree's own
     std::vector<uint32_t> instanced; ///< geometries with a tree of their own
     std::vector<uint32_t> shown;     ///< placements that are instances
@@ -26,35 +26,35 @@ bool is_empty(const Geometry& geometry) {
     return geometry.size() == 0;
 }
 
-Hanging divide(std::span<const Geometry> geometries, std::span<const Placement> placements) {
+Attached divide(std::span<const Geometry> geometries, std::span<const Placement> placements) {
     std::vector<uint32_t> uses(geometries.size(), 0);
     for (const Placement& placement : placements) ++uses[placement.geometry];
 
-    Hanging hanging;
+    Attached attached;
     std::vector<bool> has_tree(geometries.size(), false);
     for (uint32_t i = 0; i < placements.size(); ++i) {
         const uint32_t geometry = placements[i].geometry;
         if (is_empty(geometries[geometry])) continue;
         if (uses[geometry] == 1 && geometries[geometry].shapes.empty() &&
             placements[i].object_to_world == glm::mat4(1.0f)) {
-            hanging.direct.push_back(geometry);
+            attached.direct.push_back(geometry);
             continue;
         }
-        hanging.shown.push_back(i);
-        if (!has_tree[geometry]) hanging.instanced.push_back(geometry);
+        attached.shown.push_back(i);
+        if (!has_tree[geometry]) attached.instanced.push_back(geometry);
         has_tree[geometry] = true;
     }
-    return hanging;
+    return attached;
 }
 
 /// The trees of instanced geometries, by geometry; none where a geometry has no tree.
 using Trees = std::vector<std::optional<WideTree>>;
 
-Trees plan_trees(std::span<const Geometry> geometries, const Hanging& hanging,
+Trees plan_trees(std::span<const Geometry> geometries, const Attached& attached,
                  const BvhOptions& options) {
     Trees trees(geometries.size());
-    for_each_child(hanging.instanced.size(), options.parallel, [&](size_t i) {
-        const uint32_t geometry = hanging.instanced[i];
+    for_each_child(attached.instanced.size(), options.parallel, [&](size_t i) {
+        const uint32_t geometry = attached.instanced[i];
         trees[geometry].emplace(
             make_references(geometries, std::span(&geometry, 1), options.parallel),
             std::span<const WideSize>(), geometries, options);
@@ -63,11 +63,11 @@ Trees plan_trees(std::span<const Geometry> geometries, const Hanging& hanging,
 }
 
 WideTree plan_world(std::span<const Geometry> geometries, std::span<const Placement> placements,
-                    const Hanging& hanging, const Trees& trees, const BvhOptions& options) {
+                    const Attached& attached, const Trees& trees, const BvhOptions& options) {
     std::vector<Reference> references =
-        make_references(geometries, hanging.direct, options.parallel);
+        make_references(geometries, attached.direct, options.parallel);
     std::vector<WideSize> sizes(placements.size());
-    for (uint32_t i : hanging.shown) {
+    for (uint32_t i : attached.shown) {
         const WideTree& tree = *trees[placements[i].geometry];
         const Box world = padded(transformed(padded(tree.box()), placements[i].object_to_world));
         references.emplace_back(world, Reference::INSTANCE, i);
@@ -101,15 +101,15 @@ Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> p
               const BvhOptions& options) {
     const Timer timer;
     check_input(geometries, placements);
-    const Hanging hanging = divide(geometries, placements);
-    const Trees trees = plan_trees(geometries, hanging, options);
-    const WideTree world = plan_world(geometries, placements, hanging, trees, options);
+    const Attached attached = divide(geometries, placements);
+    const Trees trees = plan_trees(geometries, attached, options);
+    const WideTree world = plan_world(geometries, placements, attached, trees, options);
 
     // The world's tree comes first, then the others in the order of their first placement.
     WidePlace total;
     total.advance(world.size());
     std::vector<WidePlace> places(geometries.size());
-    for (uint32_t geometry : hanging.instanced) {
+    for (uint32_t geometry : attached.instanced) {
         places[geometry] = total;
         total.advance(trees[geometry]->size());
     }
@@ -122,21 +122,21 @@ Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> p
     bvh.spheres.resize(total.sphere);
     bvh.root = world.emit(geometries, {}, bvh);
     std::vector<uint32_t> roots(geometries.size(), BVH_NONE);
-    for_each_child(hanging.instanced.size(), options.parallel, [&](size_t i) {
-        const uint32_t geometry = hanging.instanced[i];
+    for_each_child(attached.instanced.size(), options.parallel, [&](size_t i) {
+        const uint32_t geometry = attached.instanced[i];
         roots[geometry] = trees[geometry]->emit(geometries, places[geometry], bvh);
     });
     for (const Placement& placement : placements)
         bvh.instances.push_back(make_instance(placement, roots[placement.geometry]));
 
-    bvh.has_instances = !hanging.shown.empty();
+    bvh.has_instances = !attached.shown.empty();
     bvh.stack_size = world.size().stack + 1;
     bvh.statistics = measure_bvh(bvh, options);
-    for (const auto& hung : {hanging.direct, hanging.instanced})
-        for (uint32_t geometry : hung)
+    for (const auto& list : {attached.direct, attached.instanced})
+        for (uint32_t geometry : list)
             bvh.statistics.triangles += uint32_t(geometries[geometry].triangles.size());
     bvh.statistics.depth = world.size().depth;
-    bvh.statistics.instances = uint32_t(hanging.shown.size());
+    bvh.statistics.instances = uint32_t(attached.shown.size());
     bvh.statistics.build_seconds = timer.seconds();
     return bvh;
 }

@@ -1,4 +1,4 @@
-// From triangles, spheres and instances to the 16-wide tree that the kernels walk.
+// From triangles, spheres and instances to the 16-wide tree that the kernels traverse.
 // Values in, values out: no OpenCL, no scene.
 #pragma once
 
@@ -48,7 +48,7 @@ struct Placement {
 /// How a tree is split.
 enum class BvhBuilder {
     sah,            ///< by surface-area heuristic, then made 16 wide: built fast
-    high,           ///< the same with spatial splits: better to walk, and longer to build
+    high,           ///< the same with spatial splits: better to traverse, and longer to build
     median,         ///< in halves by centre, to one primitive a leaf, two children a node (C13)
     median_spatial, ///< the same, but triangles that straddle a cut are cut in two
     none,           ///< not at all: a list of blocks whose boxes exclude nothing
@@ -96,7 +96,7 @@ struct BvhStatistics {
     double build_seconds = 0;
 };
 
-/// The tree of one world. Placement i becomes instances[i] unless it is hung directly.
+/// The tree of one world. Placement i becomes instances[i] unless it is attached directly.
 struct Bvh {
     BvhLayout layout = BvhLayout::wide; ///< of the nodes and leaves, some of which are empty
     AlignedVector<BvhNode> nodes;
@@ -115,9 +115,9 @@ struct Bvh {
 };
 
 /// Builds trees by the binned surface-area heuristic and makes them 16 wide by the SAH-optimal
-/// dynamic programme. A geometry that is placed once, by the identity, is hung directly: its hits
-/// have no instance. All such geometries share one tree, the world's, in which the instances are
-/// leaves; each instanced geometry has a tree of its own. Placed geometries may be empty. The
+/// dynamic programme. A geometry that is placed once, by the identity, is attached directly: its
+/// hits have no instance. All such geometries share one tree, the world's, in which the instances
+/// are leaves; each instanced geometry has a tree of its own. Placed geometries may be empty. The
 /// bounds in the nodes have the margin that the kernels' slab test counts on to be conservative.
 /// The builders after `high` are laboratory ones. All give the same hits; with spatial splits a
 /// triangle may be in several leaves, though once in each. Deterministic, whatever the number of
@@ -136,7 +136,7 @@ void refit_bvh(Bvh& bvh, std::span<const Geometry> geometries,
 
 /// Moves a wide tree that is shaped for a narrow layout (children of a node, triangles of a leaf, a
 /// root that is a node) into that layout; a tree of layout `wide` stays as it is. Boxes only grow,
-/// and every walk finds the same hits. Throws InputError beyond 2^29 primitives.
+/// and every traversal finds the same hits. Throws InputError beyond 2^29 primitives.
 void compact_bvh(Bvh& bvh, BvhLayout layout);
 
 /// Checks every invariant of the wide layout (bounds contain children, each primitive present, once

@@ -40,7 +40,7 @@ class Children {
     uint32_t count_ = 0;
 };
 
-/// Appends to the slots of the output what hangs in a leaf; returns how many they are.
+/// Appends to the slots of the output what a leaf holds; returns how many they are.
 uint32_t append_slots(const Bvh& wide, uint32_t word, AlignedVector<BvhSlot>& slots) {
     const uint32_t kind = word & BVH_KIND_MASK, index = word & BVH_INDEX_MASK;
     if (kind != BVH_LEAF_TRIANGLES) {

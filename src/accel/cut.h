@@ -1,7 +1,7 @@
 // Triangles cut in two by planes across an axis: what builders with spatial splits put on each
 // side.
 //
-// Why the hits stay the same bits when a triangle hangs in several leaves: every part's box
+// Why the hits stay the same bits when several leaves hold a triangle: every part's box
 // contains what the kernels may take for a hit on that part, as the box of a whole triangle does.
 // So a ray enters the box of the part that it hits no later than the hit. A leaf with another part
 // of the triangle finds the same hit, and as it counts as no closer than where the ray enters that

@@ -83,7 +83,7 @@ class Refitter {
         }
     }
 
-    /// Unpadded, of all that hangs at a child word.
+    /// Unpadded, of all below a child word.
     Box box_below(uint32_t word) const {
         if (!(word & BVH_LEAF)) return node_boxes_[word];
         const uint32_t index = word & BVH_INDEX_MASK;

@@ -22,7 +22,7 @@ struct Roll {
     std::map<std::pair<uint32_t, uint32_t>, std::vector<Box>> parts{};
 };
 
-/// What is known of a subtree that was walked.
+/// What is known of a subtree that was traversed.
 struct Traversed {
     Box box;            ///< of all its primitives, exact where it has no instances
     uint32_t stack = 0; ///< entries that may wait below it
@@ -41,7 +41,7 @@ class Validator {
                                placements_.size());
         traverse_instanced_trees();
         const Traversed world = traverse_tree(bvh_.root, world_roll());
-        if (problem_.empty()) check_hanging();
+        if (problem_.empty()) check_attached();
         if (problem_.empty() && world.stack + 1 > bvh_.stack_size)
             fail("stack_size {} is below {}", bvh_.stack_size, world.stack + 1);
         return problem_;
@@ -79,10 +79,10 @@ class Validator {
     }
 
     Traversed traverse_tree(uint32_t root, Roll roll) {
-        const Traversed walked = walk(root, roll);
+        const Traversed traversed = traverse(root, roll);
         for (size_t g = 0; g < roll.seen.size(); ++g)
             for (size_t i = 0; i < roll.seen[g].size(); ++i) check_seen(roll, g, uint32_t(i));
-        return walked;
+        return traversed;
     }
 
     /// Once, but for triangles that lie in parts in several leaves, which must cover them, or whole
@@ -118,7 +118,7 @@ class Validator {
             }
     }
 
-    Traversed walk(uint32_t word, Roll& roll, const Box& bounds = everywhere()) {
+    Traversed traverse(uint32_t word, Roll& roll, const Box& bounds = everywhere()) {
         if (!problem_.empty()) return {};
         const uint32_t index = word & BVH_INDEX_MASK;
         if (!(word & BVH_LEAF)) return traverse_node(word, roll);
@@ -148,7 +148,7 @@ class Validator {
         for (uint32_t slot = 0; slot < BVH_WIDTH; ++slot) {
             const Box bounds = slot_box(node, slot);
             if (bounds.is_empty()) continue;
-            const Traversed child = walk(node.child[slot], roll, bounds);
+            const Traversed child = traverse(node.child[slot], roll, bounds);
             if (!child.box.is_empty() && !bounds.contains(child.box))
                 fail("slot {} of node {} does not contain its child", slot, index);
             result.box.extend(bounds);
@@ -272,7 +272,7 @@ class Validator {
 
     Traversed traverse_instance(uint32_t index) {
         if (index >= placements_.size() || !is_instanced(index) || hung_[index]) {
-            fail("instance {} is out of range, has no tree, or hangs twice", index);
+            fail("instance {} is out of range, has no tree, or is referenced twice", index);
             return {};
         }
         hung_[index] = true;
@@ -310,7 +310,7 @@ class Validator {
             }
     }
 
-    void check_hanging() {
+    void check_attached() {
         bool any = false;
         for (uint32_t i = 0; i < placements_.size(); ++i) {
             if (is_instanced(i) && !hung_[i]) fail("instance {} does not hang in the tree", i);

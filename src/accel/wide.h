@@ -8,7 +8,7 @@
 
 namespace onde::accel {
 
-/// What a subtree takes up in the device arrays, and what walking it takes.
+/// What a subtree takes up in the device arrays, and what traversing it takes.
 struct WideSize {
     uint32_t nodes = 0, blocks = 0, spheres = 0;
     uint32_t depth = 0; ///< wide nodes on the longest way down, through instances as well

@@ -74,7 +74,7 @@ void run_compare(const CompareOptions& options) {
 void add_compare_command(Command& root) {
     Command command = root.add_command("compare", "Measure how far picture A is from picture B");
     const auto options = std::make_shared<CompareOptions>(); // what runs later is copied
-    command.option("A", &options->a, "The picture to judge", {.required = true});
+    command.option("A", &options->a, "The picture to compare", {.required = true});
     command.option("B", &options->b, "The reference", {.required = true});
     command.option("--diff", &options->difference, "Write |A - B| to this .exr or .png");
     command.flag("--json", options->json, "Print the figures as one line of JSON");

@@ -1,4 +1,4 @@
-// A scene that hangs in the gallery: what is loaded, rendered and measured of it.
+// An entry of the gallery: what is loaded, rendered and measured of it.
 #pragma once
 
 #include "app/gallery_page.h"

@@ -68,7 +68,7 @@ void declare_estimator(Command& command, RenderRequest& r) {
                    {.value = "N"});
     command.choice("--filter", r.choices.filter, "Pixel filter (blackman-harris)");
     command.choice("--bvh", r.bvh.builder,
-                   "Tree of boxes: fast to build (sah), fast to walk (high), or a plain one to "
+                   "Tree of boxes: fast to build (sah), fast to traverse (high), or a plain one to "
                    "compare with");
     command.choice("--layout", r.layout,
                    "How the tree lies in memory (wide on CPUs, measured once on others)");

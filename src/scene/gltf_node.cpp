@@ -56,7 +56,7 @@ class NodeTraversal {
     NodeTraversal(File& file, Scene& scene)
         : file_(file), scene_(scene), visited_(file.model.nodes.size(), false) {}
 
-    void walk(const std::vector<int>& roots) {
+    void traverse(const std::vector<int>& roots) {
         push(roots, glm::dmat4(1.0), 0, "scene");
         while (!stack_.empty()) {
             const Visit visit = stack_.back();
@@ -177,9 +177,9 @@ std::vector<int> roots_of(const File& file) {
 
 void add_nodes(File& file, Scene& scene) {
     NodeTraversal nodes(file, scene);
-    if (file.model.scenes.empty()) return nodes.walk(roots_of(file));
+    if (file.model.scenes.empty()) return nodes.traverse(roots_of(file));
     const int index = file.model.defaultScene >= 0 ? file.model.defaultScene : 0;
-    nodes.walk(at(file, file.model.scenes, index, "scene", "the default scene").nodes);
+    nodes.traverse(at(file, file.model.scenes, index, "scene", "the default scene").nodes);
     if (file.model.scenes.size() > 1) file.notes.add("Only the default scene is loaded");
 }
 

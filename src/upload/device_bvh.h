@@ -19,7 +19,7 @@ class DeviceBvh {
     /// the next index.
     uint32_t bind(gpu::Kernel& kernel, uint32_t first) const;
 
-    /// What a walk may read of nodes and leaves.
+    /// What a traversal may read of nodes and leaves.
     uint64_t bytes() const { return nodes_.size() + blocks_.size(); }
 
   private:

@@ -116,8 +116,9 @@ INLINE real2 scrambled_pair(natural x, natural y, natural key) {
 }
 
 // Two numbers in [0, 1): over the samples of a pixel, a scrambled (0, 2)-sequence. The direction at
-// the first vertex continues the sequence of the place in the pixel in dimensions 3 and 4, with
-// which it is entangled most; the other pairs know nothing of each other.
+// the first vertex continues the sequence of the place in the pixel, with which it is entangled
+// most, in dimensions 3 and 4, which by themselves are stratified less finely than a (0,
+// 2)-sequence. The other pairs know nothing of each other.
 INLINE real2 sampler_pair(Sampler s, uint dimension) {
     if (dimension == bounce_dimension(0, DIMENSION_DIRECTION)) {
         const Shuffled first = shuffle_samples(s, DIMENSION_FILTER);

@@ -1,21 +1,19 @@
 // MTL materials to ours.
 #pragma once
 
+#include "scene/find_file.h"
+#include "scene/mtl.h"
 #include "scene/notes.h"
 #include "scene/scene.h"
 
-#include <filesystem>
 #include <string>
-
-namespace tinyobj {
-struct material_t;
-}
 
 namespace onde {
 
-/// The material and the textures it uses, which are added to `scene`. A texture that is missing or
-/// outside of `folder` is an InputError that begins with `where`.
-Material convert_mtl(const tinyobj::material_t& source, Scene& scene,
-                     const std::filesystem::path& folder, const std::string& where, Notes& notes);
+/// The material and the textures it uses, which are added to `scene`; they lie in `folder`, within
+/// the finder's, or in that. A texture that is missing, outside of the folder or damaged is left
+/// out, with a note.
+Material convert_mtl(const mtl::Material& source, Scene& scene, FileFinder& files,
+                     const std::string& folder, Notes& notes);
 
 } // namespace onde

@@ -74,8 +74,8 @@ class PlyReader {
     Body body_;
     Notes notes_;
     MeshPart part_;
-    std::vector<uint32_t> corners_;    ///< of the face being read
-    std::vector<glm::vec3> positions_; ///< of these corners
+    std::vector<uint32_t> corners_;     ///< of the face being read
+    std::vector<glm::dvec3> positions_; ///< of these corners
 };
 
 void PlyReader::check_elements() const {
@@ -149,7 +149,7 @@ void PlyReader::read_polygon(const Property& list) {
     positions_.clear();
     for (uint64_t i = 0; i < count; ++i) {
         corners_.push_back(body_.index(list.type, part_.positions.size(), "vertex"));
-        positions_.push_back(part_.positions[corners_.back()]);
+        positions_.emplace_back(part_.positions[corners_.back()]);
     }
     if (count < 3) notes_.add("Points and lines are skipped");
     if (count == 3) // as all are in most files

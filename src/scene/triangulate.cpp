@@ -1,5 +1,7 @@
 #include "scene/triangulate.h"
 
+#include "scene/point_hierarchy.h"
+
 #include <cmath>
 #include <numeric>
 
@@ -7,26 +9,19 @@ namespace onde {
 
 namespace {
 
-/// Twice the signed area of abc.
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 /// The polygon seen along its normal (Newell's), counter-clockwise.
-std::vector<glm::dvec2> project(std::span<const glm::vec3> corners) {
+std::vector<glm::dvec2> project(std::span<const glm::dvec3> corners) {
     glm::dvec3 normal(0.0);
-    for (size_t i = 0; i < corners.size(); ++i) {
-        const glm::dvec3 a(corners[i] - corners[0]),
-            b(corners[(i + 1) % corners.size()] - corners[0]);
-        normal += glm::cross(a, b);
-    }
+    for (size_t i = 0; i < corners.size(); ++i)
+        normal +=
+            glm::cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
     size_t drop = 0;
     for (size_t axis = 1; axis < 3; ++axis)
         if (std::abs(normal[axis]) > std::abs(normal[drop])) drop = axis;
     size_t u = (drop + 1) % 3, v = (drop + 2) % 3;
     if (normal[drop] < 0.0) std::swap(u, v);
     std::vector<glm::dvec2> flat;
-    for (const glm::vec3& corner : corners) flat.emplace_back(corner[u], corner[v]);
+    for (const glm::dvec3& corner : corners) flat.emplace_back(corner[u], corner[v]);
     return flat;
 }
 
@@ -36,40 +31,80 @@ bool is_convex(const std::vector<glm::dvec2>& p) {
     return true;
 }
 
-bool contains(const std::array<glm::dvec2, 3>& t, const glm::dvec2& p) {
-    return turn(t[0], t[1], p) >= 0.0 && turn(t[1], t[2], p) >= 0.0 && turn(t[2], t[0], p) >= 0.0;
-}
-
-/// Whether corner i of the remaining polygon can be cut off.
-bool is_ear(const std::vector<glm::dvec2>& p, const std::vector<size_t>& rest, size_t i) {
-    const size_t n = rest.size(), before = rest[(i + n - 1) % n], after = rest[(i + 1) % n];
-    const std::array<glm::dvec2, 3> ear{p[before], p[rest[i]], p[after]};
-    if (turn(ear[0], ear[1], ear[2]) <= 0.0) return false;
-    for (size_t other : rest) {
-        const glm::dvec2& q = p[other];
-        const bool is_corner = q == ear[0] || q == ear[1] || q == ear[2];
-        if (!is_corner && contains(ear, q)) return false;
+/// Clips ears off a polygon. Cutting one can make ears of its two neighbours only, since what is
+/// left lies within what was there before; so every corner is tested once, and after each cut two.
+class EarClipper {
+  public:
+    explicit EarClipper(const std::vector<glm::dvec2>& polygon)
+        : p_(polygon), points_(polygon), before_(polygon.size()), after_(polygon.size()) {
+        const size_t n = polygon.size();
+        for (size_t i = 0; i < n; ++i) {
+            before_[i] = (i + n - 1) % n;
+            after_[i] = (i + 1) % n;
+        }
     }
-    return true;
-}
+
+    /// Cuts until three corners are left or none is an ear; adds the triangles and returns the
+    /// corners that are left, in their order.
+    std::vector<size_t> clip(std::vector<std::array<size_t, 3>>& triangles) {
+        std::vector<size_t> rest(p_.size());
+        std::iota(rest.begin(), rest.end(), size_t(0));
+        // Where a polygon touches or crosses itself, a cut far away may make an ear.
+        for (size_t round = 0; round < MAX_ROUNDS && rest.size() > 3; ++round) {
+            const size_t before = rest.size();
+            rest = clip_once(rest, triangles);
+            if (rest.size() == before) break;
+        }
+        return rest;
+    }
+
+  private:
+    static constexpr size_t MAX_ROUNDS = 8;
+
+    std::vector<size_t> clip_once(std::vector<size_t> candidates,
+                                  std::vector<std::array<size_t, 3>>& triangles) {
+        size_t left = candidates.size(), first = candidates[0];
+        for (size_t next = 0; next < candidates.size() && left > 3; ++next) {
+            const size_t corner = candidates[next], a = before_[corner], b = after_[corner];
+            if (a == corner || !is_ear(corner)) continue; // it is gone, or no ear
+            triangles.push_back({a, corner, b});
+            points_.remove(corner);
+            after_[a] = b;
+            before_[b] = a;
+            before_[corner] = after_[corner] = corner;
+            --left;
+            first = a;
+            candidates.push_back(a);
+            candidates.push_back(b);
+        }
+        std::vector<size_t> rest{first};
+        while (rest.size() < left) rest.push_back(after_[rest.back()]);
+        return rest;
+    }
+
+    bool is_ear(size_t corner) const {
+        const std::array<glm::dvec2, 3> ear{p_[before_[corner]], p_[corner], p_[after_[corner]]};
+        return turn(ear[0], ear[1], ear[2]) > 0.0 && !points_.any_in(ear);
+    }
+
+    const std::vector<glm::dvec2>& p_;
+    PointHierarchy points_; ///< corners that are left
+    std::vector<size_t> before_, after_;
+};
 
 } // namespace
 
-std::vector<std::array<size_t, 3>> triangulate(std::span<const glm::vec3> corners) {
+std::vector<std::array<size_t, 3>> triangulate(std::span<const glm::dvec3> corners) {
     std::vector<std::array<size_t, 3>> triangles;
     if (corners.size() < 3) return triangles;
-    const std::vector<glm::dvec2> flat = project(corners);
+    triangles.reserve(corners.size() - 2);
     std::vector<size_t> rest(corners.size());
     std::iota(rest.begin(), rest.end(), size_t(0));
-    const bool convex = is_convex(flat);
-    while (!convex && rest.size() > 3) {
-        size_t ear = 0;
-        while (ear < rest.size() && !is_ear(flat, rest, ear)) ++ear;
-        if (ear == rest.size()) break; // crosses itself: a fan of what is left
-        const size_t n = rest.size();
-        triangles.push_back({rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});
-        rest.erase(rest.begin() + std::ptrdiff_t(ear));
+    if (corners.size() > 3) {
+        const std::vector<glm::dvec2> flat = project(corners);
+        if (!is_convex(flat)) rest = EarClipper(flat).clip(triangles);
     }
+    // A fan of what is left: all of a convex polygon, or what crosses itself.
     for (size_t i = 2; i < rest.size(); ++i) triangles.push_back({rest[0], rest[i - 1], rest[i]});
     return triangles;
 }

@@ -1,5 +1,5 @@
-// PLY, the Stanford triangle format: vertices with normals and texture coordinates, and polygons.
-// Header and values are read by ply_header and ply_body; here they become a mesh.
+// PLY, the Stanford triangle format: vertices with normals and texture coordinates, polygons,
+// strips. Header and values are read by ply_header and ply_body; here they become a mesh.
 #include "core/error.h"
 #include "core/files.h"
 #include "scene/loaders.h"
@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 
 namespace onde {
 namespace fs = std::filesystem;
@@ -17,21 +19,27 @@ namespace {
 
 using ply::Body, ply::Element, ply::Header, ply::Property;
 
-constexpr size_t MAX_CORNERS = 255; ///< of a face, as in OBJ; clipping ears takes their cube
-
-/// The numbers of a vertex that we use.
-enum Slot { X, Y, Z, NX, NY, NZ, U, V, UNUSED };
+/// The numbers of a vertex that we use. Those of colours are read over until meshes have colours.
+enum Slot { X, Y, Z, NX, NY, NZ, U, V, R, G, B, UNUSED };
 
 Slot slot_of(const Property& property) {
     constexpr std::pair<std::string_view, Slot> SLOTS[] = {
-        {"x", X},         {"y", Y},         {"z", Z},         {"nx", NX},      {"ny", NY},
-        {"nz", NZ},       {"u", U},         {"v", V},         {"s", U},        {"t", V},
-        {"texture_u", U}, {"texture_v", V}, {"texture_s", U}, {"texture_t", V}};
+        {"x", X},         {"y", Y},         {"z", Z},         {"nx", NX},       {"ny", NY},
+        {"nz", NZ},       {"u", U},         {"v", V},         {"s", U},         {"t", V},
+        {"texture_u", U}, {"texture_v", V}, {"texture_s", U}, {"texture_t", V}, {"red", R},
+        {"green", G},     {"blue", B}};
     if (property.count_type) return UNUSED;
     for (const auto& [name, slot] : SLOTS)
         if (name == property.name) return slot;
     return UNUSED;
 }
+
+bool is_finite(std::initializer_list<double> numbers) {
+    return std::ranges::all_of(numbers, [](double x) { return std::isfinite(float(x)); });
+}
+
+constexpr const char* OTHERS =
+    "Other properties than positions, normals, texture coordinates and polygons are ignored";
 
 bool is_corner_list(const Property& property) {
     return property.count_type &&
@@ -51,10 +59,19 @@ class PlyReader {
             if (element.name == "vertex")
                 read_vertices(element);
             else if (element.name == "face")
-                read_faces(element);
+                read_faces(element, &PlyReader::read_polygon);
+            else if (element.name == "tristrips")
+                read_faces(element, &PlyReader::read_strip);
             else
                 skip(element);
+        if (part_.triangles.empty() && dropped_)
+            throw InputError("{}: all faces have positions that are no finite numbers; export it "
+                             "again",
+                             name_);
         part_.materials.assign(part_.triangles.size(), 0);
+        // Up to here positions are doubles: what recentres them subtracts the centre here.
+        part_.positions.assign(positions_.begin(), positions_.end());
+        hide_bad_positions();
         std::vector<MeshPart> parts;
         parts.push_back(std::move(part_));
         return join_parts(mesh_name, std::move(parts), notes_);
@@ -65,8 +82,13 @@ class PlyReader {
   private:
     void check_elements() const;
     void read_vertices(const Element& element);
-    void read_faces(const Element& element);
+    using ListReader = void (PlyReader::*)(const Property&);
+    void read_faces(const Element& element, ListReader read_list);
     void read_polygon(const Property& list);
+    void read_strip(const Property& list);
+    void add_vertex(const std::array<double, UNUSED>& vertex, const std::array<bool, UNUSED>& has);
+    bool usable(std::span<const uint32_t> corners);
+    void hide_bad_positions();
     void skip(const Element& element);
 
     const std::string& name_;
@@ -74,8 +96,11 @@ class PlyReader {
     Body body_;
     Notes notes_;
     MeshPart part_;
-    std::vector<uint32_t> corners_;     ///< of the face being read
-    std::vector<glm::dvec3> positions_; ///< of these corners
+    std::vector<glm::dvec3> positions_;
+    bool bad_positions_ = false;      ///< whether some are no finite numbers
+    bool dropped_ = false;            ///< whether a face was left out because of them
+    std::vector<uint32_t> corners_;   ///< of the face being read
+    std::vector<glm::dvec3> outline_; ///< positions of these corners
 };
 
 void PlyReader::check_elements() const {
@@ -83,38 +108,42 @@ void PlyReader::check_elements() const {
         const auto& all = header_.elements;
         return std::ranges::find(all, name, &Element::name) - all.begin();
     };
-    const auto vertex = size_t(named("vertex")), face = size_t(named("face"));
-    if (std::max(vertex, face) >= header_.elements.size())
+    const auto vertex = size_t(named("vertex"));
+    const auto faces = std::min(size_t(named("face")), size_t(named("tristrips")));
+    if (std::max(vertex, faces) >= header_.elements.size())
         throw InputError("{}: its header lists no vertices or no faces, so there is no surface; "
                          "export the mesh with polygons",
                          name_);
-    if (face < vertex)
+    if (faces < vertex)
         throw InputError("{}: its faces come before its vertices; export it again", name_);
     if (header_.elements[vertex].count > MAX_VERTICES)
         throw InputError("{}: more than {} vertices; split the file", name_, MAX_VERTICES);
-    const std::vector<Property>& properties = header_.elements[face].properties;
-    const auto list = std::ranges::find_if(properties, is_corner_list);
-    if (list == properties.end() || list->type >= ply::Type::float32)
-        throw InputError("{}: its faces have no list 'vertex_indices' of integers; export it again",
-                         name_);
+    for (const Element& element : header_.elements) {
+        if (element.name != "face" && element.name != "tristrips") continue;
+        const auto list = std::ranges::find_if(element.properties, is_corner_list);
+        if (list == element.properties.end() || list->type >= ply::Type::float32)
+            throw InputError("{}: its faces have no list 'vertex_indices' of integers; export it "
+                             "again",
+                             name_);
+    }
 }
 
 void PlyReader::read_vertices(const Element& element) {
-    std::array<bool, UNUSED + 1> given{};
+    std::array<bool, UNUSED> has{};
     std::vector<Slot> slots;
     for (const Property& property : element.properties) {
         slots.push_back(slot_of(property));
-        given[slots.back()] = true;
-        if (slots.back() == UNUSED)
-            notes_.add("Other properties than positions, normals, texture coordinates and "
-                       "polygons are ignored",
-                       property.name);
+        if (slots.back() != UNUSED)
+            has[slots.back()] = true;
+        else
+            notes_.add(OTHERS, property.name);
     }
-    if (!given[X] || !given[Y] || !given[Z])
+    if (!has[X] || !has[Y] || !has[Z])
         throw InputError("{}: its vertices have no x, y and z; export it again", name_);
+    if (has[R] || has[G] || has[B]) notes_.add("Vertex colours are ignored");
     body_.begin(element);
-    part_.positions.reserve(element.count);
-    std::array<float, UNUSED> vertex{};
+    positions_.reserve(element.count);
+    std::array<double, UNUSED> vertex{};
     for (uint64_t row = 0; row < element.count; ++row) {
         body_.begin_row(row);
         for (size_t i = 0; i < slots.size(); ++i)
@@ -122,41 +151,91 @@ void PlyReader::read_vertices(const Element& element) {
                 body_.skip(element.properties[i]);
             else
                 vertex[slots[i]] = body_.number(element.properties[i]);
-        part_.positions.emplace_back(vertex[X], vertex[Y], vertex[Z]);
-        if (given[NX] && given[NY] && given[NZ])
-            part_.normals.emplace_back(vertex[NX], vertex[NY], vertex[NZ]);
-        if (given[U] && given[V]) part_.uvs.emplace_back(vertex[U], 1.0f - vertex[V]);
+        add_vertex(vertex, has);
     }
 }
 
-void PlyReader::read_faces(const Element& element) {
+void PlyReader::add_vertex(const std::array<double, UNUSED>& vertex,
+                           const std::array<bool, UNUSED>& has) {
+    positions_.emplace_back(vertex[X], vertex[Y], vertex[Z]);
+    bad_positions_ |= !is_finite({vertex[X], vertex[Y], vertex[Z]});
+    if (has[NX] && has[NY] && has[NZ]) {
+        const bool good = is_finite({vertex[NX], vertex[NY], vertex[NZ]});
+        if (!good) notes_.add("Normals that are no finite numbers are replaced by face normals");
+        part_.normals.emplace_back(good ? glm::vec3(vertex[NX], vertex[NY], vertex[NZ])
+                                        : glm::vec3(0.0f));
+    }
+    if (has[U] && has[V]) {
+        const bool good = is_finite({vertex[U], vertex[V]});
+        if (!good) notes_.add("Texture coordinates that are no finite numbers become 0");
+        part_.uvs.emplace_back(good ? glm::vec2(vertex[U], 1.0 - vertex[V]) : glm::vec2(0.0f));
+    }
+}
+
+void PlyReader::read_faces(const Element& element, ListReader read_list) {
     body_.begin(element);
     for (uint64_t row = 0; row < element.count; ++row) {
         body_.begin_row(row);
         for (const Property& property : element.properties)
             if (is_corner_list(property))
-                read_polygon(property);
+                (this->*read_list)(property);
             else
                 body_.skip(property);
     }
 }
 
+/// Whether all positions of the corners are finite; adds a note where they are not.
+bool PlyReader::usable(std::span<const uint32_t> corners) {
+    if (!bad_positions_) return true;
+    const bool good = std::ranges::all_of(corners, [&](uint32_t corner) {
+        const glm::dvec3& p = positions_[corner];
+        return is_finite({p.x, p.y, p.z});
+    });
+    dropped_ |= !good;
+    if (!good) notes_.add("Faces with positions that are no finite numbers are left out");
+    return good;
+}
+
+/// Bad positions, which no triangle uses now, become one that is used.
+void PlyReader::hide_bad_positions() {
+    if (!bad_positions_ || part_.triangles.empty()) return;
+    const glm::vec3 used = part_.positions[part_.triangles[0].x];
+    for (glm::vec3& p : part_.positions)
+        if (!is_finite({p.x, p.y, p.z})) p = used;
+}
+
 void PlyReader::read_polygon(const Property& list) {
     const uint64_t count = body_.length(list);
-    if (count > MAX_CORNERS)
-        body_.fail(fmt::format("has {} corners, more than {}; triangulate it", count, MAX_CORNERS));
     corners_.clear();
-    positions_.clear();
-    for (uint64_t i = 0; i < count; ++i) {
-        corners_.push_back(body_.index(list.type, part_.positions.size(), "vertex"));
-        positions_.emplace_back(part_.positions[corners_.back()]);
-    }
+    for (uint64_t i = 0; i < count; ++i)
+        corners_.push_back(body_.index(list.type, positions_.size(), "vertex"));
     if (count < 3) notes_.add("Points and lines are skipped");
+    if (!usable(corners_)) return;
     if (count == 3) // as all are in most files
-        part_.triangles.emplace_back(corners_[0], corners_[1], corners_[2]);
-    else
-        for (const auto& [a, b, c] : triangulate(positions_))
-            part_.triangles.emplace_back(corners_[a], corners_[b], corners_[c]);
+        return void(part_.triangles.emplace_back(corners_[0], corners_[1], corners_[2]));
+    outline_.clear();
+    for (const uint32_t corner : corners_) outline_.push_back(positions_[corner]);
+    for (const auto& [a, b, c] : triangulate(outline_))
+        part_.triangles.emplace_back(corners_[a], corners_[b], corners_[c]);
+}
+
+/// A list of strips, each of which -1 ends. Every second triangle of a strip is turned over; those
+/// that name a vertex twice only turn the strip.
+void PlyReader::read_strip(const Property& list) {
+    std::array<uint32_t, 3> corners{};
+    size_t known = 0; // corners of this strip so far
+    for (uint64_t left = body_.length(list); left > 0; --left) {
+        const auto corner = body_.index_or_none(list.type, positions_.size(), "vertex");
+        if (!corner) {
+            known = 0;
+            continue;
+        }
+        corners = {corners[1], corners[2], *corner};
+        if (++known < 3) continue;
+        const auto [a, b, c] = corners;
+        if (a == b || b == c || c == a || !usable(corners)) continue;
+        part_.triangles.push_back(known % 2 ? glm::uvec3(a, b, c) : glm::uvec3(b, a, c));
+    }
 }
 
 void PlyReader::skip(const Element& element) {

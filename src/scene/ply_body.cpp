@@ -1,10 +1,10 @@
 #include "scene/ply_body.h"
 
 #include "core/error.h"
+#include "scene/text.h"
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
@@ -14,15 +14,6 @@ namespace {
 
 constexpr const char* SPACES = " \t\r\n\v\f";
 constexpr size_t MAX_WORD = 64; ///< digits of a number
-
-/// The number that the word is, or NaN.
-double parse(std::string_view word) {
-    if (word.starts_with('+')) word.remove_prefix(1);
-    double number = 0;
-    const char* end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(word.data(), end, number);
-    return error == std::errc() && stop == end ? number : std::nan("");
-}
 
 } // namespace
 
@@ -86,7 +77,11 @@ double Body::load() {
 }
 
 double Body::value(Type type) {
-    if (encoding_ == Encoding::ascii) return parse(word());
+    if (encoding_ != Encoding::ascii) return binary_value(type);
+    return text::number(word()).value_or(std::nan(""));
+}
+
+double Body::binary_value(Type type) {
     switch (type) {
     case Type::int8:
         return load<int8_t>();
@@ -108,19 +103,28 @@ double Body::value(Type type) {
     return load<double>();
 }
 
-float Body::number(const Property& property) {
-    const float number = float(value(property.type));
-    if (!std::isfinite(number))
-        fail(fmt::format("its {} is not a finite number; correct it", property.name));
-    return number;
+double Body::number(const Property& property) {
+    if (encoding_ != Encoding::ascii) return binary_value(property.type);
+    const std::optional<double> number = text::number(word());
+    if (!number) fail(fmt::format("its {} is not a number; correct it", property.name));
+    return *number;
 }
 
-uint32_t Body::index(Type type, uint64_t end, const char* things) {
-    const double number = value(type);
+uint32_t Body::checked_index(double number, uint64_t end, const char* things) const {
     if (!(number >= 0 && number < double(end) && number == std::floor(number)))
         fail(fmt::format("names {} {}, but there are {}, counted from 0; export it again", things,
                          number, end));
     return uint32_t(number);
+}
+
+uint32_t Body::index(Type type, uint64_t end, const char* things) {
+    return checked_index(value(type), end, things);
+}
+
+std::optional<uint32_t> Body::index_or_none(Type type, uint64_t end, const char* things) {
+    const double number = value(type);
+    if (number == -1.0) return std::nullopt;
+    return checked_index(number, end, things);
 }
 
 uint64_t Body::length(const Property& list) {

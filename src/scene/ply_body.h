@@ -19,12 +19,15 @@ class Body {
     /// What follows is this one of the element's rows.
     void begin_row(uint64_t index) { row_ = index; }
 
-    /// The next value; fails unless it is a number that is finite as a float.
-    float number(const Property& property);
+    /// The next value; fails when it is a word that is no number. It may be NaN or infinite.
+    double number(const Property& property);
 
     /// The next value, of an integer type; fails unless it is an integer from 0 and below `end`,
     /// the number of `things` that there are.
     uint32_t index(Type type, uint64_t end, const char* things);
+
+    /// As index(), but nothing for -1.
+    std::optional<uint32_t> index_or_none(Type type, uint64_t end, const char* things);
 
     /// The length of the next list, which the rest of the file can hold. Its items follow.
     uint64_t length(const Property& list);
@@ -36,7 +39,9 @@ class Body {
     [[noreturn]] void fail(const std::string& problem) const;
 
   private:
-    double value(Type type);
+    double value(Type type); ///< NaN for a word that is no number
+    double binary_value(Type type);
+    uint32_t checked_index(double number, uint64_t end, const char* things) const;
     std::string_view word();
     std::string_view take(size_t bytes);
     template <class T>

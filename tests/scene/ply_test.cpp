@@ -79,7 +79,7 @@ TEST_CASE("both byte orders hold the same triangle, and what we don't use is ski
         CHECK(mesh.triangles == std::vector{glm::uvec3(2, 1, 0)});
         REQUIRE(scene.notes.size() >= 2);
         CHECK_THAT(scene.notes[0], Catch::Contains("material and 1 more"));
-        CHECK_THAT(scene.notes[1], Catch::Contains("red"));
+        CHECK_THAT(scene.notes[1], Catch::Contains("Vertex colours"));
     }
 }
 
@@ -114,6 +114,50 @@ TEST_CASE("a concave PLY polygon is cut into ears and a line into nothing") {
         CHECK(glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]).z > 0.0f);
     }
     CHECK_THAT(scene.notes.at(0), Catch::Contains("lines are skipped"));
+}
+
+TEST_CASE("a PLY polygon may have any number of corners, and its colours are noted") {
+    std::string values, corners = "400";
+    for (int i = 0; i < 400; ++i) {
+        const double angle = 6.283185307179586 * i / 400;
+        values += fmt::format("{} {} 0 255 0 0\n", std::cos(angle), std::sin(angle));
+        corners += " " + std::to_string(i);
+    }
+    const Scene scene = load_ply_bytes(
+        ascii("element vertex 400\n" + POSITIONS +
+                  "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
+                  "property list ushort int vertex_indices\n",
+              values + corners + "\n"));
+    CHECK(scene.meshes[0].triangles.size() == 398);
+    CHECK_THAT(scene.notes.at(0), Catch::Contains("Vertex colours are ignored"));
+}
+
+TEST_CASE("triangle strips keep their winding, and -1 begins a new one") {
+    const Mesh mesh =
+        mesh_of(ascii("element vertex 5\n" + POSITIONS +
+                          "element tristrips 1\nproperty list int int vertex_indices\n",
+                      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n12 0 1 2 3 4 -1 1 3 2 2 4 -1\n"));
+    const auto t = [](uint32_t a, uint32_t b, uint32_t c) { return glm::uvec3(a, b, c); };
+    CHECK(mesh.triangles == std::vector{t(0, 1, 2), t(2, 1, 3), t(2, 3, 4), t(1, 3, 2)});
+}
+
+TEST_CASE("bad numbers of a PLY vertex cost its faces, its normal or its texture coordinates") {
+    const std::string normals = "property float nx\nproperty float ny\nproperty float nz\n";
+    const Scene scene = load_ply_bytes(
+        ascii("element vertex 5\n" + POSITIONS + normals +
+                  "property float u\nproperty float v\nelement face 2\n"
+                  "property list uchar int vertex_indices\n",
+              "0 0 0 0 0 1 0 0\n1 0 0 nan 0 1 0 0\n0 1 0 0 0 1 inf 0\nnan 0 0 0 0 1 0 0\n"
+              "-nan(ind) 1.#INF 0 0 0 1 0 0\n3 0 1 2\n3 0 1 3\n"));
+    const Mesh& mesh = scene.meshes[0];
+    CHECK(mesh.triangles == std::vector{glm::uvec3(0, 1, 2)});
+    CHECK(mesh.normals[1] == glm::vec3(0, 0, 1));
+    CHECK(mesh.uvs[2] == glm::vec2(0));
+    CHECK(std::ranges::count_if(scene.notes, [](const std::string& note) {
+              return note.find("no finite numbers") != std::string::npos;
+          }) == 3);
+    CHECK(scene_bounds(scene).low == glm::vec3(0));
+    CHECK(scene_bounds(scene).high == glm::vec3(1, 1, 0));
 }
 
 TEST_CASE("the lines of a PLY header may end in CR LF or CR, and numbers stand anywhere") {

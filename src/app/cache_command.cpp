@@ -38,7 +38,7 @@ void add_prewarm(Command& cache) {
     const auto options = std::make_shared<Options>();
     Command command =
         cache.add_command("prewarm", "Compile the kernels that these scenes need, or common ones");
-    command.option("scenes", &options->scenes, "Scenes: .gltf, .glb, .obj, .ply or .toml",
+    command.option("scenes", &options->scenes, "Scenes: .gltf, .glb, .obj, .ply, .stl or .toml",
                    {.value = "SCENE"});
     command.option("--device", &options->device, "Device by number or part of its name");
     command.on_run([options] { prewarm(options->scenes, options->device); });

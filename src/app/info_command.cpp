@@ -252,7 +252,7 @@ void add_info_command(Command& root) {
     const auto options = std::make_shared<Options>();
     Command command =
         root.add_command("info", "Say what a scene file contains and the memory it takes");
-    command.option("scene", &options->scene, "A .gltf, .glb, .obj, .ply or .toml file",
+    command.option("scene", &options->scene, "A .gltf, .glb, .obj, .ply, .stl or .toml file",
                    {.required = true});
     command.flag("--json", options->json, "Print JSON");
     command.on_run([options] {

@@ -26,7 +26,7 @@ std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
 }
 
 void declare_view(Command& command, RenderRequest& r) {
-    command.option("scene", &r.scene, "Scene: .gltf, .glb, .obj, .ply or .toml",
+    command.option("scene", &r.scene, "Scene: .gltf, .glb, .obj, .ply, .stl or .toml",
                    {.value = "SCENE", .required = true});
     command.option("--size", &r.size, "Pixels, for example 640x480 (the scene's, else 800x600)",
                    {.value = "WxH"});

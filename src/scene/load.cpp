@@ -21,9 +21,10 @@ Scene load_part(const fs::path& path, const std::vector<fs::path>& ancestors) {
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
     if (extension == ".obj") return load_obj(path);
     if (extension == ".ply") return load_ply(path);
+    if (extension == ".stl") return load_stl(path);
     if (extension == ".toml") return load_toml(path, ancestors);
     throw InputError(
-        "{}: '{}' is not a scene format of ours; give a .gltf, .glb, .obj, .ply or .toml",
+        "{}: '{}' is not a scene format of ours; give a .gltf, .glb, .obj, .ply, .stl or .toml",
         path.string(), extension);
 }
 

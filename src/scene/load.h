@@ -7,10 +7,10 @@
 
 namespace onde {
 
-/// Loads .gltf, .glb, .obj, .ply or .toml (by extension) and completes it: a scene without a camera
-/// is framed, one without any light gets a neutral studio environment, and `notes` says so. Every
-/// number is checked; the result satisfies check_scene(). `environment` replaces the file's own
-/// before that. Throws InputError with one sentence.
+/// Loads .gltf, .glb, .obj, .ply, .stl or .toml (by extension) and completes it: a scene without a
+/// camera is framed, one without any light gets a neutral studio environment, and `notes` says so.
+/// Every number is checked; the result satisfies check_scene(). `environment` replaces the file's
+/// own before that. Throws InputError with one sentence.
 Scene load_scene(const std::filesystem::path& path,
                  const std::optional<Environment>& environment = {});
 

@@ -12,6 +12,7 @@ namespace onde {
 Scene load_gltf(const std::filesystem::path& path); ///< .gltf and .glb
 Scene load_obj(const std::filesystem::path& path);
 Scene load_ply(const std::filesystem::path& path);
+Scene load_stl(const std::filesystem::path& path);
 
 /// `ancestors` are the canonical paths of the scene files that include this one, outermost first.
 Scene load_toml(const std::filesystem::path& path,

@@ -230,8 +230,8 @@ auto visit_keys(ShapeType type, const Visit& visit) {
     case ShapeType::mesh:
         break;
     }
-    return visit("a `file` (`.obj`, `.ply`, `.gltf`, `.glb`: geometry only, with the file's "
-                 "materials unless `material` is given), or `positions` and `triangles` "
+    return visit("a `file` (`.obj`, `.ply`, `.stl`, `.gltf`, `.glb`: geometry only, with the "
+                 "file's materials unless `material` is given), or `positions` and `triangles` "
                  "(counter-clockwise from the front, indices from 0, flat shading)",
                  TypeTag<MeshFile>{}, P{});
 }

@@ -157,7 +157,8 @@ void TomlScene::add_mesh(const TableReader& table) {
     for (const char* key : {"positions", "triangles"})
         if (table.has(key)) table.fail(key, "can't go with file; give one of them");
     if (fs::path(mesh.file).extension() == ".toml")
-        table.fail("file", "must be a .obj, .ply, .gltf or .glb; include scenes by [[include]]");
+        table.fail("file",
+                   "must be a .obj, .ply, .stl, .gltf or .glb; include scenes by [[include]]");
     const int64_t material = table.has("material") ? int64_t(material_named_in(table)) : -1;
     place(table, "file", mesh.file, part(table, "file", mesh.file, true, material),
           placement(table));

@@ -1,5 +1,6 @@
 #include "app/cache_command.h"
 
+#include "app/load_request.h"
 #include "app/prewarm.h"
 #include "gpu/program.h"
 
@@ -34,6 +35,7 @@ void add_prewarm(Command& cache) {
     struct Options {
         std::vector<std::string> scenes;
         std::string device;
+        LoadRequest load;
     };
     const auto options = std::make_shared<Options>();
     Command command =
@@ -41,7 +43,9 @@ void add_prewarm(Command& cache) {
     command.option("scenes", &options->scenes, "Scenes: .gltf, .glb, .obj, .ply, .stl or .toml",
                    {.value = "SCENE"});
     command.option("--device", &options->device, "Device by number or part of its name");
-    command.on_run([options] { prewarm(options->scenes, options->device); });
+    declare_load(command, options->load);
+    command.on_run(
+        [options] { prewarm(options->scenes, options->device, load_options(options->load)); });
 }
 
 } // namespace

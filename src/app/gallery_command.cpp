@@ -76,7 +76,8 @@ bool run(const GalleryRequest& request) {
     Machine machine = open_machine(request.render.machine);
     std::vector<GalleryWork> works;
     for (const fs::path& file : scene_files(request.scenes))
-        works.push_back(load_work(file, request.render.choices.samples, machine.device.facts()));
+        works.push_back(load_work(file, load_options(request.render.load),
+                                  request.render.choices.samples, machine.device.facts()));
     check_names(works);
     open_folder(request.folder);
 
@@ -116,6 +117,7 @@ void add_gallery_command(Command& root, bool& interrupted) {
                    {.value = "DIR"});
     command.option("--spp", &request->render.choices.samples,
                    "Samples per pixel (each scene's own)", {.value = "N"});
+    declare_load(command, request->render.load);
     declare_machine(command, request->render.machine);
     command.on_run([request, &interrupted] { interrupted = run(*request); });
 }

@@ -43,9 +43,9 @@ std::string facts_text(const RenderOptions& options, const RenderOutcome& outcom
 
 } // namespace
 
-GalleryWork load_work(const fs::path& file, std::optional<uint32_t> samples,
-                      const gpu::DeviceFacts& facts) {
-    GalleryWork work{file, load_scene(file), {}, {}, {}};
+GalleryWork load_work(const fs::path& file, const LoadOptions& load,
+                      std::optional<uint32_t> samples, const gpu::DeviceFacts& facts) {
+    GalleryWork work{file, load_scene(file, {}, load), {}, {}, {}};
     RenderChoices choices;
     choices.samples = samples;
     const ResolvedOptions resolved = resolve_options(choices, work.scene, facts);

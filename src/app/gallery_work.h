@@ -3,6 +3,7 @@
 
 #include "app/gallery_page.h"
 #include "render/integrator.h"
+#include "scene/load_options.h"
 
 #include <atomic>
 #include <filesystem>
@@ -27,8 +28,8 @@ struct GalleryStudio {
 
 /// Loads the scene; `samples` per pixel instead of its own where given. Throws InputError or
 /// DeviceError for all that can be found wrong before anything is rendered.
-GalleryWork load_work(const std::filesystem::path& file, std::optional<uint32_t> samples,
-                      const gpu::DeviceFacts& facts);
+GalleryWork load_work(const std::filesystem::path& file, const LoadOptions& load,
+                      std::optional<uint32_t> samples, const gpu::DeviceFacts& facts);
 
 /// Renders the work's picture into the folder, and replays the pixel that its lesson names. Returns
 /// false, with nothing written, when Ctrl-C came first.

@@ -2,6 +2,7 @@
 
 #include "app/field_json.h"
 #include "app/json.h"
+#include "app/load_request.h"
 #include "core/command_line.h"
 #include "gpu/device.h"
 #include "render/memory_plan.h"
@@ -247,6 +248,7 @@ SceneSummary summarize(const Scene& scene) {
 void add_info_command(Command& root) {
     struct Options {
         std::string scene;
+        LoadRequest load;
         bool json = false;
     };
     const auto options = std::make_shared<Options>();
@@ -254,9 +256,10 @@ void add_info_command(Command& root) {
         root.add_command("info", "Say what a scene file contains and the memory it takes");
     command.option("scene", &options->scene, "A .gltf, .glb, .obj, .ply, .stl or .toml file",
                    {.required = true});
+    declare_load(command, options->load);
     command.flag("--json", options->json, "Print JSON");
     command.on_run([options] {
-        const Scene scene = load_scene(options->scene);
+        const Scene scene = load_scene(options->scene, {}, load_options(options->load));
         const SceneSummary summary = summarize(scene);
         const DeviceMemory memory = plan_device_memory(scene);
         if (options->json)

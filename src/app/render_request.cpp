@@ -107,6 +107,7 @@ void declare_machine(Command& command, MachineRequest& r) {
 
 void declare_options(Command& command, RenderRequest& request) {
     declare_view(command, request);
+    declare_load(command, request.load);
     declare_picture(command, request);
     declare_estimator(command, request);
     declare_engine(command, request);
@@ -116,18 +117,22 @@ void declare_options(Command& command, RenderRequest& request) {
 
 void declare_replay_options(Command& command, RenderRequest& request) {
     declare_view(command, request);
+    declare_load(command, request.load);
     declare_estimator(command, request);
     declare_machine(command, request.machine);
 }
 
 Scene load_requested_scene(const RenderRequest& request) {
-    if (request.environment.empty()) return load_scene(request.scene);
-    return load_scene(request.scene, load_environment(request.environment, glm::vec3(1.0f),
-                                                      request.environment_rotation));
+    std::optional<Environment> environment;
+    if (!request.environment.empty())
+        environment =
+            load_environment(request.environment, glm::vec3(1.0f), request.environment_rotation);
+    return load_scene(request.scene, environment, load_options(request.load));
 }
 
 void check_request(const RenderRequest& r) {
     if (!r.size.empty()) parse_size(r.size);
+    load_options(r.load);
     // "nan" and "inf" are read as numbers.
     if (r.choices.seconds && !(*r.choices.seconds > 0 && std::isfinite(*r.choices.seconds)))
         throw InputError("--time {} is not a positive number of seconds", *r.choices.seconds);

@@ -4,6 +4,7 @@
 #include "core/command_line.h"
 
 #include "accel/bvh.h"
+#include "app/load_request.h"
 #include "image/image_io.h"
 #include "session/choices.h"
 #include "session/machine.h"
@@ -25,6 +26,7 @@ struct MachineRequest {
 
 struct RenderRequest {
     std::filesystem::path scene;
+    LoadRequest load;
     std::vector<std::filesystem::path> outputs;
     std::vector<std::string> aovs; ///< of aov_words()
     std::string size;              ///< WIDTHxHEIGHT, or empty

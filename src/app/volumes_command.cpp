@@ -16,6 +16,7 @@ namespace {
 
 struct VolumesRequest {
     std::filesystem::path scene, plot;
+    LoadRequest load;
     MachineRequest machine;
     uint32_t rays = 1u << 18;
     double trials = 0;
@@ -46,7 +47,7 @@ void run(const VolumesRequest& request) {
     set_up_logging(false);
     check(request);
     Machine machine = open_machine(request.machine);
-    const Scene scene = load_scene(request.scene);
+    const Scene scene = load_scene(request.scene, {}, load_options(request.load));
     const TriangleSoup object = scene_triangles(scene);
     if (const size_t left_out = scene.spheres.size() + scene.shapes.size())
         spdlog::info("volumes are put around triangles; left out: {} spheres or other shapes",
@@ -79,6 +80,7 @@ void add_volumes_command(Command& root) {
                    {.value = "N"});
     command.option("--plot", &request->plot, "Write the figures as a picture, .svg",
                    {.value = "FILE"});
+    declare_load(command, request->load);
     declare_machine(command, request->machine);
     command.on_run([request] { run(*request); });
 }

@@ -1,7 +1,6 @@
 #include "scene/find_file.h"
 
 #include "core/error.h"
-#include "scene/references.h"
 
 #include <algorithm>
 #include <cctype>
@@ -67,7 +66,7 @@ std::optional<std::string> existing(const fs::path& folder, const fs::path& refe
 
 bool FileFinder::may_use(const std::string& name) const {
     try {
-        resolve_inside(folder_, with_slashes(name), "");
+        context_.resolve(folder_, with_slashes(name), "");
         return true;
     } catch (const InputError&) {
         return false;

@@ -2,6 +2,8 @@
 // the folders of the machine that wrote them.
 #pragma once
 
+#include "scene/load_context.h"
+
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -13,8 +15,10 @@ namespace onde {
 class FileFinder {
   public:
     /// `folder` is the scene file's.
-    explicit FileFinder(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    FileFinder(std::filesystem::path folder, LoadContext& context)
+        : folder_(std::move(folder)), context_(context) {}
 
+    LoadContext& context() { return context_; }
     const std::filesystem::path& folder() const { return folder_; }
 
     /// The name, relative to folder(), of the file that `name` stands for: as written, with slashes
@@ -23,13 +27,14 @@ class FileFinder {
     /// within folder(), and in folder() itself. Nothing when there is none that the scene may use.
     std::optional<std::string> find(const std::string& name, const std::string& beside = ".");
 
-    /// Whether the scene may use a file of that name (resolve_inside()).
+    /// Whether the scene may use a file of that name (LoadContext::resolve()).
     bool may_use(const std::string& name) const;
 
   private:
     std::optional<std::string> search(const std::string& name, const std::string& beside) const;
 
     std::filesystem::path folder_;
+    LoadContext& context_;
     std::map<std::pair<std::string, std::string>, std::optional<std::string>> known_;
 };
 

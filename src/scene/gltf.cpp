@@ -4,14 +4,14 @@
 
 namespace onde {
 
-Scene load_gltf(const std::filesystem::path& path) {
-    gltf::File file = gltf::open_file(path);
+Scene load_gltf(const std::filesystem::path& path, LoadContext& context) {
+    gltf::File file = gltf::open_file(path, context);
     Scene scene;
     gltf::add_materials(file, scene);
     gltf::add_meshes(file, scene);
     gltf::add_nodes(file, scene);
-    if (!file.model.animations.empty()) file.notes.add("Animations are ignored: the rest pose");
-    if (!file.model.skins.empty()) file.notes.add("Skins are ignored: the rest pose");
+    if (file.document.animated) file.notes.add("Animations are ignored: the rest pose");
+    if (file.document.skinned) file.notes.add("Skins are ignored: the rest pose");
     scene.notes = file.notes.sentences();
     return scene;
 }

@@ -11,24 +11,16 @@ namespace onde::gltf {
 
 namespace {
 
-/// Elements without a buffer view are zeros; so many would be a hostile file.
-constexpr uint64_t MAX_ZEROS = uint64_t(1) << 24;
-
-size_t component_size(const File& file, int type, const std::string& user) {
+size_t component_size(ComponentType type) {
     switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case ComponentType::int8:
+    case ComponentType::uint8:
         return 1;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case ComponentType::int16:
+    case ComponentType::uint16:
         return 2;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
-        return 4;
     default:
-        throw InputError("{}: {}: its accessor has the component type {}, which glTF does not "
-                         "know; export it again",
-                         file.path.string(), user, type);
+        return 4;
     }
 }
 
@@ -39,10 +31,10 @@ struct Window {
     const uint8_t* operator[](size_t i) const { return first + i * stride; }
 };
 
-Window window(const File& file, int view, uint64_t offset, uint64_t count, uint64_t element_size,
-              const std::string& user) {
+Window window(const File& file, uint32_t view, uint64_t offset, uint64_t count,
+              uint64_t element_size, const std::string& user) {
     const std::span<const uint8_t> bytes = view_bytes(file, view, user);
-    const uint64_t given = file.model.bufferViews[size_t(view)].byteStride;
+    const uint64_t given = file.document.views[view].stride;
     const uint64_t stride = given ? given : element_size;
     const bool fits =
         count == 0 || (offset <= bytes.size() && element_size <= bytes.size() - offset &&
@@ -50,7 +42,7 @@ Window window(const File& file, int view, uint64_t offset, uint64_t count, uint6
     if (!fits)
         throw InputError("{}: {}: its {} elements overrun buffer view {} of {} bytes; export it "
                          "again",
-                         file.path.string(), user, count, view, bytes.size());
+                         file.name, user, count, view, bytes.size());
     return {bytes.data() + offset, size_t(stride)};
 }
 
@@ -62,20 +54,20 @@ T load(const uint8_t* bytes) {
 }
 
 /// One component as a float; normalised as glTF 2.0, section 3.6.2.3 says.
-float load_float(const uint8_t* bytes, int type, bool normalized) {
+float load_float(const uint8_t* bytes, ComponentType type, bool normalized) {
     const auto convert = [&](float value, float largest) {
         return normalized ? std::max(value / largest, -1.0f) : value;
     };
     switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
+    case ComponentType::int8:
         return convert(load<int8_t>(bytes), 127.0f);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case ComponentType::uint8:
         return convert(load<uint8_t>(bytes), 255.0f);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
+    case ComponentType::int16:
         return convert(load<int16_t>(bytes), 32767.0f);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case ComponentType::uint16:
         return convert(load<uint16_t>(bytes), 65535.0f);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+    case ComponentType::uint32:
         return float(load<uint32_t>(bytes));
     default:
         return load<float>(bytes);
@@ -89,7 +81,7 @@ struct Decode;
 template <glm::length_t N>
 struct Decode<glm::vec<N, float, glm::defaultp>> {
     static constexpr size_t COMPONENTS = N;
-    static glm::vec<N, float, glm::defaultp> element(const uint8_t* bytes, int type,
+    static glm::vec<N, float, glm::defaultp> element(const uint8_t* bytes, ComponentType type,
                                                      bool normalized, size_t size) {
         glm::vec<N, float, glm::defaultp> value;
         for (size_t c = 0; c < N; ++c) value[c] = load_float(bytes + c * size, type, normalized);
@@ -100,137 +92,106 @@ struct Decode<glm::vec<N, float, glm::defaultp>> {
 template <>
 struct Decode<uint32_t> {
     static constexpr size_t COMPONENTS = 1;
-    static uint32_t element(const uint8_t* bytes, int, bool, size_t size) {
+    static uint32_t element(const uint8_t* bytes, ComponentType, bool, size_t size) {
         if (size == 1) return load<uint8_t>(bytes);
         return size == 2 ? load<uint16_t>(bytes) : load<uint32_t>(bytes);
     }
 };
 
-int components_of(int type) {
-    switch (type) {
-    case TINYGLTF_TYPE_SCALAR:
-        return 1;
-    case TINYGLTF_TYPE_VEC2:
-        return 2;
-    case TINYGLTF_TYPE_VEC3:
-        return 3;
-    case TINYGLTF_TYPE_VEC4:
-        return 4;
-    default:
-        return 0;
-    }
-}
-
-bool is_unsigned(int type) {
-    return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+bool is_unsigned(ComponentType type) {
+    return type == ComponentType::uint8 || type == ComponentType::uint16 ||
+           type == ComponentType::uint32;
 }
 
 /// Replaces the elements that the accessor's sparse part names.
 template <class T>
-void apply_sparse(const File& file, const tinygltf::Accessor& accessor, const std::string& user,
+void apply_sparse(const File& file, const Accessor& accessor, const std::string& user,
                   std::vector<T>& values) {
-    const auto& sparse = accessor.sparse;
-    const size_t index_size = component_size(file, sparse.indices.componentType, user);
-    const size_t size = component_size(file, accessor.componentType, user);
-    if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 ||
-        !is_unsigned(sparse.indices.componentType))
-        throw InputError("{}: {}: its sparse accessor is damaged; export it again",
-                         file.path.string(), user);
-    const uint64_t count = uint64_t(sparse.count);
-    const Window indices = window(file, sparse.indices.bufferView,
-                                  uint64_t(sparse.indices.byteOffset), count, index_size, user);
-    const Window data = window(file, sparse.values.bufferView, uint64_t(sparse.values.byteOffset),
-                               count, size * Decode<T>::COMPONENTS, user);
-    for (size_t i = 0; i < count; ++i) {
-        const uint32_t target = Decode<uint32_t>::element(indices[i], 0, false, index_size);
+    const Sparse& sparse = *accessor.sparse;
+    const size_t index_size = component_size(sparse.indices_type);
+    const size_t size = component_size(accessor.type);
+    if (!is_unsigned(sparse.indices_type))
+        throw InputError("{}: {}: its sparse indices are not unsigned integers; export it again",
+                         file.name, user);
+    const Window indices =
+        window(file, sparse.indices_view, sparse.indices_offset, sparse.count, index_size, user);
+    const Window data = window(file, sparse.values_view, sparse.values_offset, sparse.count,
+                               size * Decode<T>::COMPONENTS, user);
+    for (size_t i = 0; i < sparse.count; ++i) {
+        const uint32_t target =
+            Decode<uint32_t>::element(indices[i], sparse.indices_type, false, index_size);
         if (target >= values.size())
             throw InputError("{}: {}: its sparse index {} is beyond its {} elements; export it "
                              "again",
-                             file.path.string(), user, target, values.size());
-        values[target] =
-            Decode<T>::element(data[i], accessor.componentType, accessor.normalized, size);
+                             file.name, user, target, values.size());
+        values[target] = Decode<T>::element(data[i], accessor.type, accessor.normalized, size);
     }
 }
 
 template <class T>
-std::vector<T> read(const File& file, int index, const std::string& user) {
-    const tinygltf::Accessor& accessor = at(file, file.model.accessors, index, "accessor", user);
-    const size_t size = component_size(file, accessor.componentType, user);
+std::vector<T> read(const File& file, uint32_t index, const std::string& user) {
+    const Accessor& accessor = at(file, file.document.accessors, index, "accessor", user);
+    const size_t size = component_size(accessor.type);
     constexpr size_t COMPONENTS = Decode<T>::COMPONENTS;
-    if (components_of(accessor.type) != int(COMPONENTS))
-        throw InputError("{}: {}: its accessor {} must have {} components; export it again",
-                         file.path.string(), user, index, COMPONENTS);
-    std::vector<T> values;
-    if (accessor.bufferView >= 0) {
-        const Window data = window(file, accessor.bufferView, accessor.byteOffset, accessor.count,
-                                   size * COMPONENTS, user);
-        values.resize(accessor.count);
+    if (accessor.components != COMPONENTS)
+        throw InputError("{}: {}: its accessor {} must have {} components, not {}; export it again",
+                         file.name, user, index, COMPONENTS, accessor.components);
+    Window data;
+    if (accessor.view)
+        data =
+            window(file, *accessor.view, accessor.offset, accessor.count, size * COMPONENTS, user);
+    file.context.spend(accessor.count, sizeof(T), file.where(user));
+    std::vector<T> values(accessor.count, T(0));
+    if (accessor.view)
         for (size_t i = 0; i < values.size(); ++i)
-            values[i] =
-                Decode<T>::element(data[i], accessor.componentType, accessor.normalized, size);
-    } else if (accessor.count <= MAX_ZEROS) {
-        values.resize(accessor.count, T(0));
-    } else {
-        throw InputError("{}: {}: its accessor {} claims {} elements but has no data; export it "
-                         "again",
-                         file.path.string(), user, index, accessor.count);
-    }
-    if (accessor.sparse.isSparse) apply_sparse(file, accessor, user, values);
+            values[i] = Decode<T>::element(data[i], accessor.type, accessor.normalized, size);
+    if (accessor.sparse) apply_sparse(file, accessor, user, values);
     return values;
 }
 
 template <class T>
-std::vector<T> read_finite(const File& file, int index, const std::string& user) {
+std::vector<T> read_finite(const File& file, uint32_t index, const std::string& user) {
     std::vector<T> values = read<T>(file, index, user);
     for (size_t i = 0; i < values.size(); ++i)
         for (size_t c = 0; c < Decode<T>::COMPONENTS; ++c)
             if (!std::isfinite(values[i][c]))
-                throw InputError("{}: {}: element {} is not finite; export it again",
-                                 file.path.string(), user, i);
+                throw InputError("{}: {}: element {} is not finite; export it again", file.name,
+                                 user, i);
     return values;
 }
 
 } // namespace
 
-void throw_missing(const File& file, const char* kind, int index, size_t count,
+void throw_missing(const File& file, const char* kind, uint32_t index, size_t count,
                    const std::string& user) {
-    throw InputError("{}: {}: it names {} {}, but there are {}; export it again",
-                     file.path.string(), user, kind, index, count);
+    throw InputError("{}: {}: it names {} {}, but there are {}; export it again", file.name, user,
+                     kind, index, count);
 }
 
-std::span<const uint8_t> view_bytes(const File& file, int index, const std::string& user) {
-    const tinygltf::BufferView& view = at(file, file.model.bufferViews, index, "buffer view", user);
-    const tinygltf::Buffer& buffer = at(file, file.model.buffers, view.buffer, "buffer", user);
-    const uint64_t size = buffer.data.size();
-    if (view.byteOffset > size || view.byteLength > size - view.byteOffset)
+std::span<const uint8_t> view_bytes(const File& file, uint32_t index, const std::string& user) {
+    const BufferView& view = at(file, file.document.views, index, "buffer view", user);
+    const std::span<const uint8_t> buffer = at(file, file.buffers, view.buffer, "buffer", user);
+    if (view.offset > buffer.size() || view.length > buffer.size() - view.offset)
         throw InputError("{}: {}: buffer view {} overruns its buffer of {} bytes; export it again",
-                         file.path.string(), user, index, size);
-    return {buffer.data.data() + view.byteOffset, view.byteLength};
+                         file.name, user, index, buffer.size());
+    return buffer.subspan(size_t(view.offset), size_t(view.length));
 }
 
-std::vector<glm::vec2> read_vec2(const File& file, int accessor, const std::string& user) {
+std::vector<glm::vec2> read_vec2(const File& file, uint32_t accessor, const std::string& user) {
     return read_finite<glm::vec2>(file, accessor, user);
 }
 
-std::vector<glm::vec3> read_vec3(const File& file, int accessor, const std::string& user) {
+std::vector<glm::vec3> read_vec3(const File& file, uint32_t accessor, const std::string& user) {
     return read_finite<glm::vec3>(file, accessor, user);
 }
 
-std::vector<uint32_t> read_indices(const File& file, int accessor, const std::string& user) {
-    const int type = at(file, file.model.accessors, accessor, "accessor", user).componentType;
-    if (!is_unsigned(type))
+std::vector<uint32_t> read_indices(const File& file, uint32_t accessor, const std::string& user) {
+    const Accessor& source = at(file, file.document.accessors, accessor, "accessor", user);
+    if (!is_unsigned(source.type))
         throw InputError("{}: {}: its indices have the component type {}, which is not an unsigned "
                          "integer; export it again",
-                         file.path.string(), user, type);
+                         file.name, user, uint32_t(source.type));
     return read<uint32_t>(file, accessor, user);
-}
-
-double number_in(const tinygltf::Value& object, const char* key, double fallback) {
-    if (!object.IsObject() || !object.Has(key)) return fallback;
-    const tinygltf::Value& value = object.Get(key);
-    return value.IsNumber() ? value.GetNumberAsDouble() : fallback;
 }
 
 } // namespace onde::gltf

@@ -1,167 +1,106 @@
-// Opens glTF files by tinygltf, which trusts its input: what it would not survive (deep nesting,
-// chunks that overrun the file) is refused before it sees it.
+// Opens glTF files: container, JSON, document, extensions, buffers, in this order.
 #include "scene/gltf_file.h"
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/shown.h"
+#include "scene/gltf_container.h"
+#include "scene/gltf_extensions.h"
+#include "scene/gltf_uri.h"
+#include "scene/json_parse.h"
 #include "scene/references.h"
 
-#include <algorithm>
-#include <array>
-#include <cstring>
-#include <string_view>
+#include <nlohmann/json.hpp>
 
 namespace onde::gltf {
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr uint64_t MAX_BYTES = (uint64_t(1) << 31) - 1; // tinygltf counts in int
-constexpr int MAX_NESTING = 200;
-
-/// tinygltf copies JSON values by recursion; a file of a million brackets would end the program.
-void check_nesting(const std::string& name, std::string_view json) {
-    int depth = 0;
-    bool in_text = false;
-    for (size_t i = 0; i < json.size(); ++i) {
-        const char c = json[i];
-        if (in_text) {
-            if (c == '\\') ++i;
-            if (c == '"') in_text = false;
-        } else if (c == '"') {
-            in_text = true;
-        } else if (c == '{' || c == '[') {
-            if (++depth > MAX_NESTING)
-                throw InputError("{}: its JSON is nested more than {} deep; the file is damaged",
-                                 name, MAX_NESTING);
-        } else if (c == '}' || c == ']') {
-            --depth;
-        }
-    }
+std::span<const uint8_t> bytes_of(std::string_view text) {
+    return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
 }
 
-uint32_t word(const std::string& bytes, size_t offset) {
-    uint32_t value;
-    std::memcpy(&value, bytes.data() + offset, 4);
-    return value;
-}
-
-/// The JSON text of a binary file. Cuts the file at its stated length (glTF 2.0, section 4.4).
-std::string_view check_chunks(const std::string& name, const std::string& bytes) {
-    const auto require = [&](bool holds, const char* problem) {
-        if (!holds) throw InputError("{}: not a valid GLB: {}; export it again", name, problem);
-    };
-    require(bytes.size() >= 20, "it is shorter than its header");
-    require(word(bytes, 0) == 0x46546c67, "it doesn't begin with 'glTF'");
-    require(word(bytes, 4) == 2, "its container version is not 2");
-    require(word(bytes, 8) <= bytes.size(), "it is truncated");
-    const uint64_t length = word(bytes, 8), json = word(bytes, 12);
-    require(word(bytes, 16) == 0x4e4f534a, "its first chunk is not JSON");
-    require(20 + json <= length, "its JSON chunk overruns the file");
-    if (20 + json + 8 <= length)
-        require(28 + json + word(bytes, size_t(20 + json)) <= length,
-                "its binary chunk overruns the file");
-    return std::string_view(bytes).substr(20, size_t(json));
-}
-
-bool file_exists(const std::string&, void*) {
-    return true;
-} // read_whole_file says what is wrong
-
-std::string expand_path(const std::string& path, void*) {
-    return path;
-}
-
-/// Reads a file that the scene refers to; tinygltf has joined the folder and the decoded URI.
-bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const std::string& joined,
-                     void* user) {
-    const File& file = *static_cast<const File*>(user);
-    const std::string prefix = file.folder.string() + "/";
-    const std::string reference = joined.substr(std::min(prefix.size(), joined.size()));
-    const fs::path path = resolve_inside(file.folder, reference, file.path.string());
-    if (!fs::is_regular_file(path)) {
-        *error = "no such file";
-        return false;
-    }
-    const std::string bytes = read_file(path, MAX_BYTES);
-    out->assign(bytes.begin(), bytes.end());
-    return true;
-}
-
-/// Keeps the encoded bytes; images in buffer views are found again by their view.
-bool keep_encoded(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
-                  const unsigned char* bytes, int size, void*) {
-    if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
-    return true;
-}
-
-std::string one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
-    return text.empty() ? "no reason given" : text.substr(0, 300);
-}
-
-/// Extensions that we understand, or that only refine materials.
-bool is_harmless(const std::string& name) {
-    constexpr std::array KNOWN = {"KHR_lights_punctual", "KHR_mesh_quantization",
-                                  "KHR_texture_transform", "KHR_xmp_json_ld",
-                                  "KHR_animation_pointer"};
-    return name.starts_with("KHR_materials_") ||
-           std::any_of(KNOWN.begin(), KNOWN.end(),
-                       [&](const char* known) { return name == known; });
-}
-
-bool is_understood(const std::string& name) {
-    constexpr std::array KNOWN = {
-        "KHR_lights_punctual", "KHR_mesh_quantization",      "KHR_materials_emissive_strength",
-        "KHR_materials_ior",   "KHR_materials_transmission", "KHR_texture_transform"};
-    return std::any_of(KNOWN.begin(), KNOWN.end(),
-                       [&](const char* known) { return name == known; });
+/// The file's bytes, read when they are first asked for.
+std::string_view file_bytes(File& file, const fs::path& path) {
+    if (const auto found = file.files.find(path); found != file.files.end()) return found->second;
+    std::error_code error;
+    const uint64_t size = fs::file_size(path, error); // read_file says what is wrong
+    if (!error) file.context.spend(size, 1, path.string());
+    return file.files.emplace(path, read_file(path)).first->second;
 }
 
 void check_extensions(File& file) {
-    for (const std::string& name : file.model.extensionsRequired)
-        if (!is_harmless(name))
+    for (const std::string& name : file.document.extensions_required)
+        if (support_of(name) == Support::none)
             throw InputError("{}: requires the extension {}, which Onde does not have; export "
                              "without it",
-                             file.path.string(), name);
-    for (const std::string& name : file.model.extensionsUsed)
-        if (!is_understood(name)) file.notes.add("The extension " + name + " is ignored");
+                             file.name, shown(name));
+    for (const std::string& name : file.document.extensions_used)
+        if (!is_understood(support_of(name)))
+            file.notes.add("The extension " + shown(name) + " is ignored");
+}
+
+std::span<const uint8_t> load_buffer(File& file, size_t index,
+                                     const std::optional<std::string_view>& binary) {
+    const Buffer& buffer = file.document.buffers[index];
+    const std::string where = file.where(fmt::format("buffer {}", index));
+    std::span<const uint8_t> bytes;
+    if (buffer.uri)
+        bytes = uri_bytes(file, *buffer.uri, where);
+    else if (index == 0 && binary)
+        bytes = bytes_of(*binary);
+    else
+        throw InputError("{}: it names no file and the file holds no data for it; export it again",
+                         where);
+    if (buffer.length > bytes.size())
+        throw InputError("{}: it claims {} bytes, but has {}; export it again", where,
+                         buffer.length, bytes.size());
+    return bytes.first(size_t(buffer.length)); // exporters may leave spare bytes behind it
+}
+
+/// Loads what some view uses; others may be missing.
+void load_buffers(File& file, const std::optional<std::string_view>& binary) {
+    const Document& document = file.document;
+    std::vector<bool> used(document.buffers.size(), false);
+    for (size_t i = 0; i < document.views.size(); ++i) {
+        at(file, document.buffers, document.views[i].buffer, "buffer",
+           fmt::format("buffer view {}", i));
+        used[document.views[i].buffer] = true;
+    }
+    file.buffers.resize(used.size());
+    for (size_t i = 0; i < used.size(); ++i)
+        if (used[i]) file.buffers[i] = load_buffer(file, i, binary);
 }
 
 } // namespace
 
-File open_file(const fs::path& path) {
-    File file;
-    file.path = path;
-    file.folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    const std::string bytes = read_file(path, MAX_BYTES), name = path.string();
-    const bool binary = bytes.starts_with("glTF") || path.extension() == ".glb";
-    check_nesting(name, binary ? check_chunks(name, bytes) : std::string_view(bytes));
-
-    tinygltf::TinyGLTF parser;
-    parser.SetImageLoader(keep_encoded, nullptr);
-    parser.SetFsCallbacks({file_exists, expand_path, read_whole_file, nullptr, &file});
-    std::string error, warning;
-    bool parsed = false;
-    try {
-        const std::string folder = file.folder.string();
-        const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-        const unsigned size = unsigned(bytes.size());
-        parsed =
-            binary ? parser.LoadBinaryFromMemory(&file.model, &error, &warning, data, size, folder)
-                   : parser.LoadASCIIFromString(&file.model, &error, &warning, bytes.data(), size,
-                                                folder);
-    } catch (const InputError&) {
-        throw;
-    } catch (const std::exception& thrown) {
-        error = thrown.what();
+std::span<const uint8_t> uri_bytes(File& file, const std::string& uri, const std::string& where) {
+    if (auto data = decode_data_uri(uri, where)) {
+        file.context.spend(data->size(), 1, where);
+        return bytes_of(file.decoded.emplace_back(std::move(*data)));
     }
-    check_extensions(file); // first: it explains most of what fails to parse
-    if (!parsed) throw InputError("{}: not valid glTF: {}; export it again", name, one_line(error));
-    if (!file.model.asset.version.starts_with("2."))
-        throw InputError("{}: glTF version '{}' is not 2.x; convert it", name,
-                         file.model.asset.version);
+    const fs::path path = file.context.resolve(file.folder, decode_uri(uri), where);
+    std::error_code error;
+    if (!fs::is_regular_file(path, error))
+        throw InputError("{}: the file '{}' does not exist; check the name", where, shown(uri));
+    return bytes_of(file_bytes(file, path));
+}
+
+File open_file(const fs::path& path, LoadContext& context) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    File file{context, path, folder, path.string(), context.notes_of(path), {}, {}, {}, {}, {}};
+    const std::string_view bytes = file_bytes(file, path);
+    const bool binary = bytes.starts_with("glTF") || path.extension() == ".glb";
+    const Container container = split_container(bytes, file.name, binary);
+    file.json =
+        std::make_shared<const nlohmann::json>(parse_json(container.json, file.name, context));
+    file.document = read_document(JsonReader(*file.json, file.name, ""));
+    if (!file.document.version.starts_with("2."))
+        throw InputError("{}: glTF version '{}' is not 2.x; convert it", file.name,
+                         shown(file.document.version));
+    check_extensions(file);
+    load_buffers(file, container.binary);
     return file;
 }
 

@@ -1,6 +1,6 @@
 // Materials, textures and images of glTF (sections 3.8 and 3.9).
 #include "core/error.h"
-#include "core/files.h"
+#include "core/shown.h"
 #include "image/image_io.h"
 #include "scene/gltf_scene.h"
 #include "scene/references.h"
@@ -21,65 +21,59 @@ class TextureLoader {
   public:
     TextureLoader(File& file, Scene& scene) : file_(file), scene_(scene) {}
 
-    /// The scene's index of a glTF texture, or NO_TEXTURE where there is none or we can't use it.
-    int32_t load(const tinygltf::TextureInfo& info, bool srgb, const std::string& user) {
-        return load(info.index, info.texCoord, info.extensions, srgb, user);
-    }
-    int32_t load(const tinygltf::NormalTextureInfo& info, const std::string& user) {
-        return load(info.index, info.texCoord, info.extensions, false, user);
-    }
+    /// The scene's index of the texture that `key` of a material's part names, or NO_TEXTURE where
+    /// there is none or we can't use it.
+    int32_t load(const std::optional<JsonReader>& part, std::string_view key, bool srgb,
+                 const std::string& user);
 
   private:
-    int32_t load(int index, int uv_set, const tinygltf::ExtensionMap& extensions, bool srgb,
-                 const std::string& user);
-    ByteImage decode(const tinygltf::Image& image, const std::string& name) const;
+    ByteImage decode(const ImageSource& image, const std::string& name);
 
     File& file_;
     Scene& scene_;
-    std::map<std::tuple<int, bool, Wrap, Wrap>, int32_t> loaded_;
+    std::map<std::tuple<uint32_t, bool, Wrap, Wrap>, int32_t> loaded_;
 };
 
-Wrap wrap_mode(int mode) {
-    if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clamp;
-    return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirror : Wrap::repeat;
+Wrap wrap_mode(uint32_t mode) {
+    constexpr uint32_t CLAMP_TO_EDGE = 33071, MIRRORED_REPEAT = 33648;
+    if (mode == CLAMP_TO_EDGE) return Wrap::clamp;
+    return mode == MIRRORED_REPEAT ? Wrap::mirror : Wrap::repeat;
 }
 
-ByteImage TextureLoader::decode(const tinygltf::Image& image, const std::string& name) const {
-    if (image.bufferView >= 0)
-        return decode_byte_image(view_bytes(file_, image.bufferView, name), file_.where(name));
-    if (!image.image.empty()) return decode_byte_image(image.image, file_.where(name));
-    // tinygltf drops what it can't find; look again and say what is wrong.
-    const auto path = resolve_inside(file_.folder, decode_uri(image.uri), file_.where(name));
-    const std::string bytes = read_file(path);
-    return decode_byte_image({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()},
-                             file_.where(name));
+ByteImage TextureLoader::decode(const ImageSource& image, const std::string& name) {
+    const std::string where = file_.where(name);
+    if (image.view) return decode_byte_image(view_bytes(file_, *image.view, name), where);
+    if (image.uri) return decode_byte_image(uri_bytes(file_, *image.uri, where), where);
+    throw InputError("{}: it has neither a file nor a buffer view; export it again", where);
 }
 
-int32_t TextureLoader::load(int index, int uv_set, const tinygltf::ExtensionMap& extensions,
-                            bool srgb, const std::string& user) {
-    if (index < 0) return NO_TEXTURE;
-    if (uv_set != 0) {
+int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_view key, bool srgb,
+                            const std::string& user) {
+    const std::optional<JsonReader> info = part ? part->object(key) : std::nullopt;
+    if (!info) return NO_TEXTURE;
+    const uint32_t index = info->require("index", info->index("index"));
+    if (info->index("texCoord").value_or(0) != 0) {
         file_.notes.add("Textures on a second set of texture coordinates are dropped", user);
         return NO_TEXTURE;
     }
-    if (extensions.contains("KHR_texture_transform"))
+    if (info->extension("KHR_texture_transform"))
         file_.notes.add("KHR_texture_transform is ignored", user);
-    const tinygltf::Texture& texture = at(file_, file_.model.textures, index, "texture", user);
-    if (texture.source < 0) {
+    const TextureSource& texture = at(file_, file_.document.textures, index, "texture", user);
+    if (!texture.image) {
         file_.notes.add("Textures without a PNG or JPEG image are dropped", user);
         return NO_TEXTURE;
     }
-    tinygltf::Sampler sampler;
-    if (texture.sampler >= 0)
-        sampler = at(file_, file_.model.samplers, texture.sampler, "sampler", user);
-    const Wrap u = wrap_mode(sampler.wrapS), v = wrap_mode(sampler.wrapT);
-    const auto [found, is_new] = loaded_.try_emplace({texture.source, srgb, u, v}, NO_TEXTURE);
+    Sampler sampler;
+    if (texture.sampler)
+        sampler = at(file_, file_.document.samplers, *texture.sampler, "sampler", user);
+    const Wrap u = wrap_mode(sampler.wrap_u), v = wrap_mode(sampler.wrap_v);
+    const auto [found, is_new] = loaded_.try_emplace({*texture.image, srgb, u, v}, NO_TEXTURE);
     if (!is_new) return found->second;
-    const tinygltf::Image& image = at(file_, file_.model.images, texture.source, "image", user);
-    const std::string label = image.name.empty() ? image.uri : image.name;
-    const std::string name = fmt::format("image {} '{}'", texture.source, label);
+    const ImageSource& image = at(file_, file_.document.images, *texture.image, "image", user);
+    const std::string label = image.name.empty() ? image.uri.value_or("") : image.name;
+    const std::string name = fmt::format("image {} '{}'", *texture.image, shown(label));
     found->second = int32_t(scene_.textures.size());
-    scene_.textures.push_back({label, decode(image, name), srgb, u, v});
+    scene_.textures.push_back({shown(label), decode(image, name), srgb, u, v});
     return found->second;
 }
 
@@ -87,61 +81,65 @@ float unit(double value) {
     return float(std::clamp(value, 0.0, 1.0));
 }
 
-/// Numbers of a factor, the missing ones as `fallback`; throws unless finite.
-glm::dvec3 factor(const File& file, const std::vector<double>& values, double fallback,
-                  const std::string& user) {
-    glm::dvec3 result(fallback);
-    for (size_t i = 0; i < std::min<size_t>(3, values.size()); ++i) result[i] = values[i];
-    if (!std::isfinite(result.x + result.y + result.z))
-        throw InputError("{}: {}: a factor is not finite; export it again", file.path.string(),
-                         user);
-    return result;
+template <size_t N>
+glm::vec3 rgb(const std::array<double, N>& values) {
+    return glm::vec3(values[0], values[1], values[2]);
 }
 
-const tinygltf::Value* extension(const tinygltf::Material& material, const char* name) {
-    const auto found = material.extensions.find(name);
-    return found == material.extensions.end() ? nullptr : &found->second;
+/// A number of an optional part of a material.
+double number_in(const std::optional<JsonReader>& part, const char* key, double fallback) {
+    return part ? part->number(key, fallback) : fallback;
 }
 
-void apply_emissive_strength(const tinygltf::Material& source, Material& material) {
-    const tinygltf::Value* extended = extension(source, "KHR_materials_emissive_strength");
-    if (extended)
-        material.emission *= float(std::max(0.0, number_in(*extended, "emissiveStrength", 1.0)));
+void apply_emissive_strength(const JsonReader& source, Material& material) {
+    const auto extended = source.extension("KHR_materials_emissive_strength");
+    material.emission *= float(std::max(0.0, number_in(extended, "emissiveStrength", 1.0)));
 }
 
 /// Clear glass is a dielectric; what else transmits stays opaque.
-void apply_transmission(File& file, const tinygltf::Material& source, Material& material) {
-    const tinygltf::Value* extended = extension(source, "KHR_materials_transmission");
-    if (!extended || number_in(*extended, "transmissionFactor", 0.0) <= 0.0) return;
-    const bool textured = extended->Has("transmissionTexture");
-    if (textured || number_in(*extended, "transmissionFactor", 0.0) <= 0.5) {
+void apply_transmission(File& file, const JsonReader& source, Material& material) {
+    const auto extended = source.extension("KHR_materials_transmission");
+    const double factor = number_in(extended, "transmissionFactor", 0.0);
+    if (factor <= 0.0) return;
+    if (extended->has("transmissionTexture") || factor <= 0.5) {
         file.notes.add("Partial transmission is rendered opaque", material.name);
         return;
     }
-    const tinygltf::Value* ior = extension(source, "KHR_materials_ior");
+    const double ior = number_in(source.extension("KHR_materials_ior"), "ior", 1.5);
     material.kind = MaterialKind::dielectric;
-    material.ior = ior ? float(std::clamp(number_in(*ior, "ior", 1.5), 0.01, 100.0)) : 1.5f;
+    material.ior = float(std::clamp(ior, 0.01, 100.0));
     file.notes.add("Transmission is rendered as solid glass", material.name);
 }
 
-Material convert(File& file, TextureLoader& textures, const tinygltf::Material& source,
+void apply_metallic_roughness(TextureLoader& textures, const JsonReader& source,
+                              const std::string& user, Material& material) {
+    const std::optional<JsonReader> pbr = source.object("pbrMetallicRoughness");
+    material.base_color = glm::vec3(1.0f);
+    if (pbr)
+        if (const auto factor = pbr->vector<4>("baseColorFactor"))
+            material.base_color = glm::clamp(rgb(*factor), 0.0f, 1.0f);
+    material.metallic = unit(number_in(pbr, "metallicFactor", 1.0));
+    material.roughness = unit(number_in(pbr, "roughnessFactor", 1.0));
+    material.base_color_texture = textures.load(pbr, "baseColorTexture", true, user);
+    material.metallic_roughness_texture =
+        textures.load(pbr, "metallicRoughnessTexture", false, user);
+}
+
+Material convert(File& file, TextureLoader& textures, const JsonReader& source,
                  const std::string& user) {
-    const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
     Material material;
-    material.name = source.name;
+    material.name = shown(source.text("name").value_or(""));
     material.kind = MaterialKind::metallic_roughness;
-    material.base_color = glm::clamp(factor(file, pbr.baseColorFactor, 1.0, user), 0.0, 1.0);
-    material.metallic = unit(pbr.metallicFactor);
-    material.roughness = unit(pbr.roughnessFactor);
-    material.emission = glm::max(factor(file, source.emissiveFactor, 0.0, user), 0.0);
-    material.two_sided = source.doubleSided;
-    material.normal_scale = float(source.normalTexture.scale);
-    material.base_color_texture = textures.load(pbr.baseColorTexture, true, user);
-    material.metallic_roughness_texture = textures.load(pbr.metallicRoughnessTexture, false, user);
-    material.emission_texture = textures.load(source.emissiveTexture, true, user);
-    material.normal_texture = textures.load(source.normalTexture, user);
-    if (source.alphaMode == "MASK" || source.alphaMode == "BLEND")
-        file.notes.add("Alpha MASK and BLEND are rendered opaque", user);
+    apply_metallic_roughness(textures, source, user, material);
+    material.emission = glm::vec3(0.0f);
+    if (const auto factor = source.vector<3>("emissiveFactor"))
+        material.emission = glm::max(rgb(*factor), 0.0f);
+    material.two_sided = source.boolean("doubleSided", false);
+    material.emission_texture = textures.load(source, "emissiveTexture", true, user);
+    material.normal_scale = float(number_in(source.object("normalTexture"), "scale", 1.0));
+    material.normal_texture = textures.load(source, "normalTexture", false, user);
+    const std::string alpha = source.text("alphaMode").value_or("OPAQUE");
+    if (alpha != "OPAQUE") file.notes.add("Alpha MASK and BLEND are rendered opaque", user);
     apply_emissive_strength(source, material);
     apply_transmission(file, source, material);
     return material;
@@ -151,12 +149,12 @@ Material convert(File& file, TextureLoader& textures, const tinygltf::Material& 
 
 void add_materials(File& file, Scene& scene) {
     TextureLoader textures(file, scene);
-    for (size_t i = 0; i < file.model.materials.size(); ++i) {
-        const tinygltf::Material& source = file.model.materials[i];
-        const std::string user = source.name.empty()
-                                     ? fmt::format("material {}", i)
-                                     : fmt::format("material {} '{}'", i, source.name);
-        scene.materials.push_back(convert(file, textures, source, user));
+    const std::vector<JsonReader>& materials = file.document.materials;
+    for (size_t i = 0; i < materials.size(); ++i) {
+        const std::string name = materials[i].text("name").value_or("");
+        const std::string user = name.empty() ? fmt::format("material {}", i)
+                                              : fmt::format("material {} '{}'", i, shown(name));
+        scene.materials.push_back(convert(file, textures, materials[i], user));
     }
     Material& none = scene.materials.emplace_back();
     none.name = "default";

@@ -18,7 +18,7 @@ namespace {
 constexpr size_t MAX_DEPTH = 4096;
 
 struct Visit {
-    int node;
+    uint32_t node;
     glm::dmat4 parent_to_world;
     size_t depth;
 };
@@ -28,35 +28,37 @@ bool finite(const glm::dmat4& m) {
     return std::all_of(&m[0][0], &m[0][0] + 16, [](double x) { return std::isfinite(float(x)); });
 }
 
-glm::dmat4 local_transform(const File& file, const tinygltf::Node& node, const std::string& user) {
+/// A row of 0, 0, 0, 1 but for rounding.
+bool is_affine(const std::array<double, 16>& m) {
+    constexpr double ROUNDING = 1e-4;
+    return std::abs(m[3]) <= ROUNDING && std::abs(m[7]) <= ROUNDING &&
+           std::abs(m[11]) <= ROUNDING && std::abs(m[15] - 1.0) <= ROUNDING;
+}
+
+glm::dmat4 local_transform(const File& file, const Node& node, const std::string& user) {
     glm::dmat4 m(1.0);
-    if (node.matrix.size() == 16) {
-        for (size_t i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[i];
-        if (m[0][3] != 0.0 || m[1][3] != 0.0 || m[2][3] != 0.0 || m[3][3] != 1.0)
-            throw InputError("{}: {}: its matrix is not affine; export it again",
-                             file.path.string(), user);
+    if (node.matrix) {
+        if (!is_affine(*node.matrix))
+            throw InputError("{}: {}: its matrix is not affine; export it again", file.name, user);
+        for (size_t i = 0; i < 16; ++i)
+            if (i % 4 < 3) m[i / 4][i % 4] = (*node.matrix)[i];
         return m;
     }
-    const std::vector<double>&t = node.translation, &r = node.rotation, &s = node.scale;
-    if (t.size() == 3) m = glm::translate(m, glm::dvec3(t[0], t[1], t[2]));
-    if (r.size() == 4) {
-        const glm::dquat rotation(r[3], r[0], r[1], r[2]);
-        if (!(glm::length(rotation) > 1e-12))
-            throw InputError("{}: {}: its rotation is no quaternion; export it again",
-                             file.path.string(), user);
-        m *= glm::mat4_cast(glm::normalize(rotation));
-    }
-    if (s.size() == 3) m = glm::scale(m, glm::dvec3(s[0], s[1], s[2]));
-    return m;
+    const auto& [t, r, s] = std::tie(node.translation, node.rotation, node.scale);
+    m = glm::translate(m, glm::dvec3(t[0], t[1], t[2]));
+    const glm::dquat rotation(r[3], r[0], r[1], r[2]);
+    if (!(glm::length(rotation) > 1e-12))
+        throw InputError("{}: {}: its rotation is no quaternion; export it again", file.name, user);
+    return glm::scale(m * glm::mat4_cast(glm::normalize(rotation)), glm::dvec3(s[0], s[1], s[2]));
 }
 
 /// Traversals the tree without recursion, so that a chain of a million nodes is only refused.
 class NodeTraversal {
   public:
     NodeTraversal(File& file, Scene& scene)
-        : file_(file), scene_(scene), visited_(file.model.nodes.size(), false) {}
+        : file_(file), scene_(scene), visited_(file.document.nodes.size(), false) {}
 
-    void traverse(const std::vector<int>& roots) {
+    void traverse(const std::vector<uint32_t>& roots) {
         push(roots, glm::dmat4(1.0), 0, "scene");
         while (!stack_.empty()) {
             const Visit visit = stack_.back();
@@ -66,19 +68,19 @@ class NodeTraversal {
     }
 
   private:
-    void push(const std::vector<int>& nodes, const glm::dmat4& to_world, size_t depth,
+    void push(const std::vector<uint32_t>& nodes, const glm::dmat4& to_world, size_t depth,
               const std::string& user) {
         // Reversed, so that nodes come off the stack in the file's order.
         for (size_t i = nodes.size(); i-- > 0;) {
-            at(file_, file_.model.nodes, nodes[i], "node", user);
+            at(file_, file_.document.nodes, nodes[i], "node", user);
             stack_.push_back({nodes[i], to_world, depth});
         }
     }
 
     void enter(const Visit& visit);
-    void add_instance(int mesh, const glm::mat4& to_world, const std::string& user);
-    void add_camera(int camera, const glm::mat4& to_world, const std::string& user);
-    void add_light(const tinygltf::Node& node, const glm::mat4& to_world, const std::string& user);
+    void add_instance(uint32_t mesh, const glm::mat4& to_world, const std::string& user);
+    void add_camera(uint32_t camera, const glm::mat4& to_world, const std::string& user);
+    void add_light(uint32_t light, const glm::mat4& to_world, const std::string& user);
 
     File& file_;
     Scene& scene_;
@@ -87,25 +89,22 @@ class NodeTraversal {
 };
 
 void NodeTraversal::enter(const Visit& visit) {
-    const tinygltf::Node& node = file_.model.nodes[size_t(visit.node)];
+    const Node& node = file_.document.nodes[visit.node];
     const std::string user = fmt::format("node {}", visit.node);
-    if (visited_[size_t(visit.node)])
+    if (visited_[visit.node])
         throw InputError("{}: {}: it is reached twice, by a cycle or by two parents; export it "
                          "again",
-                         file_.path.string(), user);
-    visited_[size_t(visit.node)] = true;
+                         file_.name, user);
+    visited_[visit.node] = true;
     if (visit.depth > MAX_DEPTH)
-        throw InputError("{}: {}: nodes are nested more than {} deep; flatten them",
-                         file_.path.string(), user, MAX_DEPTH);
+        throw InputError("{}: {}: nodes are nested more than {} deep; flatten them", file_.name,
+                         user, MAX_DEPTH);
     const glm::dmat4 to_world = visit.parent_to_world * local_transform(file_, node, user);
     if (!finite(to_world))
-        throw InputError("{}: {}: its transform is not finite; export it again",
-                         file_.path.string(), user);
-    if (node.mesh >= 0) add_instance(node.mesh, glm::mat4(to_world), user);
-    if (node.camera >= 0) add_camera(node.camera, glm::mat4(to_world), user);
-    if (node.extensions.contains("KHR_lights_punctual")) add_light(node, glm::mat4(to_world), user);
-    if (node.extensions.contains("EXT_mesh_gpu_instancing"))
-        file_.notes.add("Instances of EXT_mesh_gpu_instancing are ignored", user);
+        throw InputError("{}: {}: its transform is not finite; export it again", file_.name, user);
+    if (node.mesh) add_instance(*node.mesh, glm::mat4(to_world), user);
+    if (node.camera) add_camera(*node.camera, glm::mat4(to_world), user);
+    if (node.light) add_light(*node.light, glm::mat4(to_world), user);
     push(node.children, to_world, visit.depth + 1, user);
 }
 
@@ -116,41 +115,48 @@ bool is_flat(const glm::mat4& m) {
                                                        [](float x) { return std::isfinite(x); });
 }
 
-void NodeTraversal::add_instance(int mesh, const glm::mat4& to_world, const std::string& user) {
-    at(file_, file_.model.meshes, mesh, "mesh", user);
+void NodeTraversal::add_instance(uint32_t mesh, const glm::mat4& to_world,
+                                 const std::string& user) {
+    at(file_, file_.document.meshes, mesh, "mesh", user);
     if (is_flat(to_world)) {
         file_.notes.add("Objects scaled to nothing are skipped", user);
-    } else if (!scene_.meshes[size_t(mesh)].triangles.empty()) {
-        scene_.instances.push_back({uint32_t(mesh), to_world});
+    } else if (!scene_.meshes[mesh].triangles.empty()) {
+        file_.context.spend(1, sizeof(Instance), file_.where(user));
+        scene_.instances.push_back({mesh, to_world});
     }
 }
 
-void NodeTraversal::add_camera(int index, const glm::mat4& to_world, const std::string& user) {
-    const tinygltf::Camera& source = at(file_, file_.model.cameras, index, "camera", user);
-    if (source.type != "perspective" || is_flat(to_world)) {
-        file_.notes.add("Orthographic and degenerate cameras are skipped", user);
+void NodeTraversal::add_camera(uint32_t index, const glm::mat4& to_world, const std::string& user) {
+    const CameraSource& source = at(file_, file_.document.cameras, index, "camera", user);
+    const std::string name = fmt::format("camera {}", index);
+    if (is_flat(to_world)) {
+        file_.notes.wrong("Cameras scaled to nothing are skipped", user);
         return;
     }
-    if (!(source.perspective.yfov > 0.0 && source.perspective.yfov < std::numbers::pi))
-        throw InputError(
-            "{}: camera {}: its yfov {} does not lie between 0 and pi; export it again",
-            file_.path.string(), index, source.perspective.yfov);
     Camera camera;
     camera.name = source.name;
     camera.camera_to_world = rigid_part(to_world);
-    camera.vertical_fov = float(source.perspective.yfov);
+    if (!source.perspective) {
+        if (!(source.ymag > 0.0))
+            throw InputError("{}: {}: its ymag {} is not above 0; export it again", file_.name,
+                             name, source.ymag);
+        camera.orthographic_height = float(2.0 * source.ymag);
+    } else if (source.yfov > 0.0 && source.yfov < std::numbers::pi) {
+        camera.vertical_fov = float(source.yfov);
+    } else {
+        throw InputError("{}: {}: its yfov {} does not lie between 0 and pi; export it again",
+                         file_.name, name, source.yfov);
+    }
+    file_.context.spend(1, sizeof(Camera), file_.where(user));
     scene_.cameras.push_back(camera);
 }
 
 /// Candela and lux are taken as W/sr and W/m^2: only ratios show in a picture.
-void NodeTraversal::add_light(const tinygltf::Node& node, const glm::mat4& to_world,
-                              const std::string& user) {
-    const double index = number_in(node.extensions.at("KHR_lights_punctual"), "light", -1.0);
-    const int light = index >= 0.0 && index < 1e9 ? int(index) : -1;
-    const tinygltf::Light& source = at(file_, file_.model.lights, light, "light", user);
-    glm::vec3 intensity(std::max(0.0f, float(source.intensity)));
-    for (size_t i = 0; i < std::min<size_t>(3, source.color.size()); ++i)
-        intensity[i] *= std::max(0.0f, float(source.color[i]));
+void NodeTraversal::add_light(uint32_t index, const glm::mat4& to_world, const std::string& user) {
+    const LightSource& source = at(file_, file_.document.lights, index, "light", user);
+    const glm::vec3 color(source.color[0], source.color[1], source.color[2]);
+    const glm::vec3 intensity = glm::max(color, 0.0f) * std::max(0.0f, float(source.intensity));
+    file_.context.spend(1, sizeof(DirectionalLight), file_.where(user));
     if (source.type == "directional") {
         if (is_flat(to_world)) return;
         const glm::vec3 to_light = glm::normalize(glm::vec3(to_world[2])); // it shines along -Z
@@ -162,25 +168,27 @@ void NodeTraversal::add_light(const tinygltf::Node& node, const glm::mat4& to_wo
 }
 
 /// Nodes that no other node has as a child, for files without scenes.
-std::vector<int> roots_of(const File& file) {
-    std::vector<bool> is_child(file.model.nodes.size(), false);
-    for (const tinygltf::Node& node : file.model.nodes)
-        for (int child : node.children)
-            if (child >= 0 && size_t(child) < is_child.size()) is_child[size_t(child)] = true;
-    std::vector<int> roots;
-    for (size_t i = 0; i < is_child.size(); ++i)
-        if (!is_child[i]) roots.push_back(int(i));
+std::vector<uint32_t> roots_of(const File& file) {
+    const std::vector<Node>& nodes = file.document.nodes;
+    std::vector<bool> is_child(nodes.size(), false);
+    for (const Node& node : nodes)
+        for (uint32_t child : node.children)
+            if (child < is_child.size()) is_child[child] = true;
+    std::vector<uint32_t> roots;
+    for (uint32_t i = 0; i < is_child.size(); ++i)
+        if (!is_child[i]) roots.push_back(i);
     return roots;
 }
 
 } // namespace
 
 void add_nodes(File& file, Scene& scene) {
+    const Document& document = file.document;
     NodeTraversal nodes(file, scene);
-    if (file.model.scenes.empty()) return nodes.traverse(roots_of(file));
-    const int index = file.model.defaultScene >= 0 ? file.model.defaultScene : 0;
-    nodes.traverse(at(file, file.model.scenes, index, "scene", "the default scene").nodes);
-    if (file.model.scenes.size() > 1) file.notes.add("Only the default scene is loaded");
+    if (document.scenes.empty()) return nodes.traverse(roots_of(file));
+    const uint32_t index = document.scene.value_or(0);
+    nodes.traverse(at(file, document.scenes, index, "scene", "the default scene").nodes);
+    if (document.scenes.size() > 1) file.notes.add("Only the default scene is loaded");
 }
 
 } // namespace onde::gltf

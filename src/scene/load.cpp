@@ -16,20 +16,23 @@ static std::string lower_extension(const fs::path& path) {
     return extension;
 }
 
-Scene load_part(const fs::path& path, const std::vector<fs::path>& ancestors) {
+Scene load_part(const fs::path& path, LoadContext& context,
+                const std::vector<fs::path>& ancestors) {
     const std::string extension = lower_extension(path);
-    if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
-    if (extension == ".obj") return load_obj(path);
-    if (extension == ".ply") return load_ply(path);
-    if (extension == ".stl") return load_stl(path);
-    if (extension == ".toml") return load_toml(path, ancestors);
+    if (extension == ".gltf" || extension == ".glb") return load_gltf(path, context);
+    if (extension == ".obj") return load_obj(path, context);
+    if (extension == ".ply") return load_ply(path, context);
+    if (extension == ".stl") return load_stl(path, context);
+    if (extension == ".toml") return load_toml(path, context, ancestors);
     throw InputError(
         "{}: '{}' is not a scene format of ours; give a .gltf, .glb, .obj, .ply, .stl or .toml",
         path.string(), extension);
 }
 
-Scene load_scene(const fs::path& path, const std::optional<Environment>& environment) {
-    Scene scene = load_part(path);
+Scene load_scene(const fs::path& path, const std::optional<Environment>& environment,
+                 const LoadOptions& options) {
+    LoadContext context(options);
+    Scene scene = load_part(path, context);
     if (environment) scene.environment = *environment;
     try {
         check_scene(scene);

@@ -1,6 +1,7 @@
 // From a file to a Scene. The front door of every loader.
 #pragma once
 
+#include "scene/load_options.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -12,7 +13,8 @@ namespace onde {
 /// Every number is checked; the result satisfies check_scene(). `environment` replaces the file's
 /// own before that. Throws InputError with one sentence.
 Scene load_scene(const std::filesystem::path& path,
-                 const std::optional<Environment>& environment = {});
+                 const std::optional<Environment>& environment = {},
+                 const LoadOptions& options = {});
 
 /// Throws InputError unless every index is in range, every number finite, every range of scene.h
 /// respected and there is something to see.

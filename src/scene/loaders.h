@@ -2,6 +2,7 @@
 // checks. Throw InputError with one sentence that names the file and the culprit.
 #pragma once
 
+#include "scene/load_context.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -9,17 +10,17 @@
 
 namespace onde {
 
-Scene load_gltf(const std::filesystem::path& path); ///< .gltf and .glb
-Scene load_obj(const std::filesystem::path& path);
-Scene load_ply(const std::filesystem::path& path);
-Scene load_stl(const std::filesystem::path& path);
+Scene load_gltf(const std::filesystem::path& path, LoadContext& context); ///< .gltf and .glb
+Scene load_obj(const std::filesystem::path& path, LoadContext& context);
+Scene load_ply(const std::filesystem::path& path, LoadContext& context);
+Scene load_stl(const std::filesystem::path& path, LoadContext& context);
 
 /// `ancestors` are the canonical paths of the scene files that include this one, outermost first.
-Scene load_toml(const std::filesystem::path& path,
+Scene load_toml(const std::filesystem::path& path, LoadContext& context,
                 const std::vector<std::filesystem::path>& ancestors = {});
 
 /// The loader for the path's extension; the result is neither completed nor checked.
-Scene load_part(const std::filesystem::path& path,
+Scene load_part(const std::filesystem::path& path, LoadContext& context,
                 const std::vector<std::filesystem::path>& ancestors = {});
 
 } // namespace onde

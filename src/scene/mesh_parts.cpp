@@ -58,7 +58,7 @@ static void make_normals_unit(Mesh& mesh, Notes& notes) {
         const double length = glm::length(glm::dvec3(normal));
         normal = length > 0.0 ? glm::vec3(glm::dvec3(normal) / length) : glm::vec3(0, 1, 0);
     }
-    if (repaired) notes.add("Normals of length zero are replaced by face normals", mesh.name);
+    if (repaired) notes.wrong("Normals of length zero are replaced by face normals", mesh.name);
 }
 
 static void note_degenerate(const Mesh& mesh, Notes& notes) {

@@ -26,7 +26,7 @@ struct Statement {
 std::optional<float> finite(const Material& material, Words& words, Notes& notes) {
     const float number = float(words.next_number());
     if (std::isfinite(number)) return number;
-    notes.add("Numbers of materials that are missing or not finite are ignored", material.name);
+    notes.wrong("Numbers of materials that are missing or not finite are ignored", material.name);
     return std::nullopt;
 }
 

@@ -1,5 +1,7 @@
 #include "scene/notes.h"
 
+#include "core/error.h"
+
 #include <fmt/format.h>
 
 namespace onde {
@@ -8,6 +10,13 @@ void Notes::add(const std::string& sentence, const std::string& example) {
     const auto [found, is_new] = index_.try_emplace(sentence, entries_.size());
     if (is_new) entries_.push_back({sentence, example, 0});
     ++entries_[found->second].count;
+}
+
+void Notes::wrong(const std::string& sentence, const std::string& example) {
+    if (strict_)
+        throw InputError("{}: {}{}; --strict refuses that", file_,
+                         example.empty() ? "" : example + ": ", sentence);
+    add(sentence, example);
 }
 
 std::vector<std::string> Notes::sentences() const {

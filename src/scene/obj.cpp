@@ -32,7 +32,7 @@ Bindings bind_materials(const obj::File& file, const obj::Libraries& libraries, 
         const obj::LibraryMaterial* found = libraries.find(file.material_names[i]);
         const mtl::Material* source = found ? &found->material : nullptr;
         if (!found && !file.material_names[i].empty())
-            notes.add("Materials that no MTL file has are diffuse grey", file.material_names[i]);
+            notes.wrong("Materials that no MTL file has are diffuse grey", file.material_names[i]);
         const auto [known, is_new] = converted.try_emplace(source, scene.materials.size());
         bindings.materials[i] = known->second;
         if (source) bindings.uv_moves[i] = {source->diffuse_map.scale, source->diffuse_map.offset};
@@ -47,14 +47,14 @@ Bindings bind_materials(const obj::File& file, const obj::Libraries& libraries, 
 
 } // namespace
 
-Scene load_obj(const fs::path& path) {
+Scene load_obj(const fs::path& path, LoadContext& context) {
     const std::string name = path.string();
     const auto text = text::decode(read_file(path));
     if (!text) throw InputError("{}: not a text file; an OBJ must be ASCII or UTF-8", name);
-    Notes notes;
+    Notes notes = context.notes_of(path);
     Scene scene;
     obj::File file = obj::read(name, *text, notes);
-    FileFinder files(path.has_parent_path() ? path.parent_path() : fs::path("."));
+    FileFinder files(path.has_parent_path() ? path.parent_path() : fs::path("."), context);
     const obj::Libraries libraries(file.libraries, files, notes);
     const Bindings bindings = bind_materials(file, libraries, scene, files, notes);
     obj::move_uvs(file, bindings.uv_moves);

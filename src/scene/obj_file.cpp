@@ -109,8 +109,8 @@ void Reader::read_face(Words& words) {
         throw InputError("{}: more than {} corners; split the file", name_, MAX_CORNERS);
     if (file_.corners.size() - first < 3) {
         file_.corners.resize(first);
-        notes_.add("Faces of fewer than three corners are skipped",
-                   fmt::format("line {}", lines_.number()));
+        notes_.wrong("Faces of fewer than three corners are skipped",
+                     fmt::format("line {}", lines_.number()));
         return;
     }
     file_.faces.push_back({first, uint32_t(lines_.number()), material_, smoothing_});

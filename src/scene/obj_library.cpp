@@ -42,7 +42,7 @@ Libraries::Libraries(const std::vector<std::string>& statements, FileFinder& fil
     for (size_t i = 0; i < materials_.size(); ++i) {
         const std::string& name = materials_[i].material.name;
         if (!by_name_.try_emplace(name, i).second)
-            notes.add("Of materials with the same name the first counts", name);
+            notes.wrong("Of materials with the same name the first counts", name);
         by_short_name_.try_emplace(short_name(name), i);
     }
 }
@@ -65,10 +65,10 @@ void Libraries::read(const std::string& statement) {
 }
 
 void Libraries::note_missing(const std::string& name) {
-    notes_.add(files_.may_use(name)
-                   ? "A material library is missing"
-                   : "A material library outside of the scene's folder is not allowed",
-               name);
+    notes_.wrong(files_.may_use(name)
+                     ? "A material library is missing"
+                     : "A material library outside of the scene's folder is not allowed",
+                 name);
 }
 
 /// Whether there is such a file.
@@ -84,7 +84,7 @@ bool Libraries::read_named(const std::string& name) {
             if (materials_.size() < MAX_MATERIALS)
                 materials_.push_back({std::move(material), folder});
     } catch (const InputError&) {
-        notes_.add("A material library can't be read", name);
+        notes_.wrong("A material library can't be read", name);
     }
     return true;
 }

@@ -69,7 +69,7 @@ void note_ignored(const mtl::Material& source, Notes& notes) {
         notes.add("Partial opacity is rendered opaque", source.name);
     if (source.opacity && source.transparency &&
         std::abs(*source.opacity + *source.transparency - 1.0f) > 1e-3f)
-        notes.add("Of d and Tr, which contradict each other, d counts", source.name);
+        notes.wrong("Of d and Tr, which contradict each other, d counts", source.name);
     if (!source.emission_map.file.empty() && source.emission_map.moves_uvs())
         notes.add("Scale and offset of other maps than map_Kd are ignored", source.name);
 }
@@ -80,17 +80,18 @@ int32_t texture(const mtl::Map& map, bool srgb, Scene& scene, FileFinder& files,
     if (map.file.empty()) return NO_TEXTURE;
     const auto found = files.find(map.file, folder);
     if (!found) {
-        notes.add(files.may_use(map.file)
-                      ? "Textures that are missing are left out"
-                      : "Textures outside of the scene's folder are not allowed and left out",
-                  map.file);
+        notes.wrong(files.may_use(map.file)
+                        ? "Textures that are missing are left out"
+                        : "Textures outside of the scene's folder are not allowed and left out",
+                    map.file);
         return NO_TEXTURE;
     }
     const Wrap wrap = map.clamp ? Wrap::clamp : Wrap::repeat;
     try {
-        return add_texture_file(scene, files.folder(), *found, {srgb, wrap, wrap}, "");
+        return add_texture_file(scene, files.context(), files.folder(), *found, {srgb, wrap, wrap},
+                                "");
     } catch (const InputError&) {
-        notes.add("Textures that can't be read are left out", map.file);
+        notes.wrong("Textures that can't be read are left out", map.file);
         return NO_TEXTURE;
     }
 }

@@ -48,8 +48,8 @@ void drop_bad_positions(File& file, Notes& notes) {
             return is_finite(file.positions[size_t(corner.position)]);
         });
         if (!good)
-            notes.add("Faces with positions that are no finite numbers are left out",
-                      line_of(file.faces[face]));
+            notes.wrong("Faces with positions that are no finite numbers are left out",
+                        line_of(file.faces[face]));
         return good;
     });
 }
@@ -93,14 +93,14 @@ void drop_bad_numbers(File& file, Notes& notes) {
     for (size_t i = 0; i < file.faces.size(); ++i) {
         const std::span<Corner> corners = file.corners_of(i);
         if (std::ranges::any_of(corners, bad_normal)) {
-            notes.add("Normals that are zero or no finite numbers are replaced by computed ones",
-                      line_of(file.faces[i]));
+            notes.wrong("Normals that are zero or no finite numbers are replaced by computed ones",
+                        line_of(file.faces[i]));
             for (Corner& corner : corners) corner.normal = NONE;
         }
         for (Corner& corner : corners) {
             if (!bad_uv(corner)) continue;
-            notes.add("Texture coordinates that are no finite numbers become 0",
-                      line_of(file.faces[i]));
+            notes.wrong("Texture coordinates that are no finite numbers become 0",
+                        line_of(file.faces[i]));
             corner.uv = NONE;
         }
     }

@@ -49,9 +49,10 @@ bool is_corner_list(const Property& property) {
 /// Reads the file's elements in their order.
 class PlyReader {
   public:
-    PlyReader(const std::string& name, const std::string& file)
+    PlyReader(const std::string& name, const std::string& file, Notes notes)
         : name_(name), header_(ply::read_header(name, file)),
-          body_(name_, std::string_view(file).substr(header_.size), header_.encoding) {}
+          body_(name_, std::string_view(file).substr(header_.size), header_.encoding),
+          notes_(std::move(notes)) {}
 
     Mesh read(const std::string& mesh_name) {
         check_elements();
@@ -161,13 +162,13 @@ void PlyReader::add_vertex(const std::array<double, UNUSED>& vertex,
     bad_positions_ |= !is_finite({vertex[X], vertex[Y], vertex[Z]});
     if (has[NX] && has[NY] && has[NZ]) {
         const bool good = is_finite({vertex[NX], vertex[NY], vertex[NZ]});
-        if (!good) notes_.add("Normals that are no finite numbers are replaced by face normals");
+        if (!good) notes_.wrong("Normals that are no finite numbers are replaced by face normals");
         part_.normals.emplace_back(good ? glm::vec3(vertex[NX], vertex[NY], vertex[NZ])
                                         : glm::vec3(0.0f));
     }
     if (has[U] && has[V]) {
         const bool good = is_finite({vertex[U], vertex[V]});
-        if (!good) notes_.add("Texture coordinates that are no finite numbers become 0");
+        if (!good) notes_.wrong("Texture coordinates that are no finite numbers become 0");
         part_.uvs.emplace_back(good ? glm::vec2(vertex[U], 1.0 - vertex[V]) : glm::vec2(0.0f));
     }
 }
@@ -192,7 +193,7 @@ bool PlyReader::usable(std::span<const uint32_t> corners) {
         return is_finite({p.x, p.y, p.z});
     });
     dropped_ |= !good;
-    if (!good) notes_.add("Faces with positions that are no finite numbers are left out");
+    if (!good) notes_.wrong("Faces with positions that are no finite numbers are left out");
     return good;
 }
 
@@ -245,9 +246,9 @@ void PlyReader::skip(const Element& element) {
 
 } // namespace
 
-Scene load_ply(const fs::path& path) {
+Scene load_ply(const fs::path& path, LoadContext& context) {
     const std::string file = read_file(path), name = path.string();
-    PlyReader reader(name, file);
+    PlyReader reader(name, file, context.notes_of(path));
     Scene scene;
     scene.materials.emplace_back().name = "default";
     scene.meshes.push_back(reader.read(path.stem().string()));

@@ -16,7 +16,7 @@ static bool lies_in(const fs::path& folder, const fs::path& path) {
 }
 
 fs::path resolve_inside(const fs::path& folder, const std::string& reference,
-                        const std::string& where) {
+                        const std::string& where, const fs::path& root) {
     const fs::path relative(reference);
     if (reference.empty() || reference.find('\0') != std::string::npos)
         throw InputError("{}: the file name is empty or damaged; name a file", where);
@@ -29,9 +29,12 @@ fs::path resolve_inside(const fs::path& folder, const std::string& reference,
     if (error || folder_error)
         throw InputError("{}: '{}' cannot be resolved ({})", where, reference,
                          (error ? error : folder_error).message());
-    if (!lies_in(base, path))
-        throw InputError("{}: '{}' leaves the scene's folder; move the file into it", where,
-                         reference);
+    const fs::path widest = root.empty() ? base : fs::canonical(root, error);
+    const bool widened = !error && (base == widest || lies_in(widest, base));
+    if (!lies_in(widened ? widest : base, path))
+        throw InputError("{}: '{}' leaves the scene's folder; move the file into it, or name a "
+                         "folder that holds both by --root",
+                         where, reference);
     return path;
 }
 
@@ -51,9 +54,10 @@ std::string decode_uri(const std::string& uri) {
     return text;
 }
 
-int32_t add_texture_file(Scene& scene, const fs::path& folder, const std::string& reference,
-                         const TextureUse& use, const std::string& where) {
-    const fs::path path = resolve_inside(folder, reference, where);
+int32_t add_texture_file(Scene& scene, LoadContext& context, const fs::path& folder,
+                         const std::string& reference, const TextureUse& use,
+                         const std::string& where) {
+    const fs::path path = context.resolve(folder, reference, where);
     const auto same = [&](const Texture& texture) {
         return texture.name == path.string() && texture.srgb == use.srgb &&
                texture.wrap_u == use.wrap_u && texture.wrap_v == use.wrap_v;

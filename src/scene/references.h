@@ -1,6 +1,7 @@
 // Files that a scene file refers to: they must lie in its folder or below.
 #pragma once
 
+#include "scene/load_context.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -10,9 +11,11 @@ namespace onde {
 
 /// The path of `reference`, a relative path as written in a scene file, resolved in `folder`.
 /// Throws InputError, beginning with `where`, when it is empty or absolute, or leaves the folder by
-/// ".." or by a symbolic link. The file need not exist.
+/// ".." or by a symbolic link. The file need not exist. A `root` that the folder lies in takes the
+/// folder's place as what may not be left.
 std::filesystem::path resolve_inside(const std::filesystem::path& folder,
-                                     const std::string& reference, const std::string& where);
+                                     const std::string& reference, const std::string& where,
+                                     const std::filesystem::path& root = {});
 
 /// A URI's text with %XX decoded (RFC 3986, section 2.1); malformed escapes stay as they are.
 std::string decode_uri(const std::string& uri);
@@ -25,7 +28,7 @@ struct TextureUse {
 
 /// The index of the texture read from that file, shared with earlier equal uses in `scene`.
 /// Throws InputError when the file is missing, damaged or outside of the folder.
-int32_t add_texture_file(Scene& scene, const std::filesystem::path& folder,
+int32_t add_texture_file(Scene& scene, LoadContext& context, const std::filesystem::path& folder,
                          const std::string& reference, const TextureUse& use,
                          const std::string& where);
 

@@ -76,13 +76,13 @@ class FacetMesh {
 
 } // namespace
 
-Scene load_stl(const fs::path& path) {
+Scene load_stl(const fs::path& path, LoadContext& context) {
     std::string bytes = read_file(path);
     // Only an ASCII file begins with a byte-order mark.
     if (bytes.starts_with("\xef\xbb\xbf") || bytes.starts_with("\xff\xfe") ||
         bytes.starts_with("\xfe\xff"))
         bytes = text::decode(bytes).value_or(bytes);
-    Notes notes;
+    Notes notes = context.notes_of(path);
     FacetMesh mesh;
     stl::read(
         path.string(), bytes,

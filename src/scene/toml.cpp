@@ -28,8 +28,8 @@ static toml::table parse(const fs::path& path) {
     }
 }
 
-TomlScene::TomlScene(const fs::path& path, std::vector<fs::path> ancestors)
-    : folder_(path.parent_path()), ancestors_(std::move(ancestors)) {
+TomlScene::TomlScene(const fs::path& path, LoadContext& context, std::vector<fs::path> ancestors)
+    : context_(context), folder_(path.parent_path()), ancestors_(std::move(ancestors)) {
     const fs::path self = fs::weakly_canonical(path);
     if (std::ranges::find(ancestors_, self) != ancestors_.end())
         throw InputError("{}: includes itself, directly or through another file; break the cycle",
@@ -107,7 +107,7 @@ void TomlScene::read_camera(const TableReader& table) {
 int32_t TomlScene::texture(const TableReader& table, std::string_view key, bool srgb) {
     const Wrap wrap = table.choice<Wrap>("wrap").value_or(Wrap::repeat);
     const std::string name = table.require(key, table.text(key));
-    return add_texture_file(scene_, folder_, name, {srgb, wrap, wrap}, table.where(key));
+    return add_texture_file(scene_, context_, folder_, name, {srgb, wrap, wrap}, table.where(key));
 }
 
 /// What the table says to Whitted, over what its kind means to it; nothing if it says nothing.
@@ -141,15 +141,16 @@ void TomlScene::read_environment(const TableReader& root) {
         read_fields(table, environment);
         const auto map = table.text("map");
         if (!map) continue;
-        const fs::path file = resolve_inside(folder_, *map, table.where("map"));
+        const fs::path file = context_.resolve(folder_, *map, table.where("map"));
         if (!fs::exists(file))
             table.fail("map", fmt::format("names '{}', which does not exist", *map));
         environment.map = load_environment(file, glm::vec3(1.0f), 0.0f).map;
     }
 }
 
-Scene load_toml(const fs::path& path, const std::vector<fs::path>& ancestors) {
-    TomlScene scene(path, ancestors);
+Scene load_toml(const fs::path& path, LoadContext& context,
+                const std::vector<fs::path>& ancestors) {
+    TomlScene scene(path, context, ancestors);
     const toml::table table = parse(path);
     return scene.read(TableReader(table, path.string(), ""));
 }

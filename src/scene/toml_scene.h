@@ -18,7 +18,8 @@ namespace onde {
 class TomlScene {
   public:
     /// Throws when the file is one of its own ancestors or lies too deep.
-    TomlScene(const std::filesystem::path& path, std::vector<std::filesystem::path> ancestors);
+    TomlScene(const std::filesystem::path& path, LoadContext& context,
+              std::vector<std::filesystem::path> ancestors);
 
     Scene read(const TableReader& root);
 
@@ -67,6 +68,7 @@ class TomlScene {
     Part& part(const TableReader& table, std::string_view key, const std::string& file,
                bool geometry_only, int64_t material);
 
+    LoadContext& context_;
     std::filesystem::path folder_;
     std::vector<std::filesystem::path> ancestors_; ///< ends with this file
     Scene scene_;

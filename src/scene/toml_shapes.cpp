@@ -300,14 +300,14 @@ static void keep_geometry(Scene& scene) {
 
 TomlScene::Part& TomlScene::part(const TableReader& table, std::string_view key,
                                  const std::string& file, bool geometry_only, int64_t material) {
-    const fs::path path = resolve_inside(folder_, file, table.where(key));
+    const fs::path path = context_.resolve(folder_, file, table.where(key));
     if (!fs::exists(path))
         table.fail(key, fmt::format("names '{}', which does not exist; check the name", file));
     const auto [found, is_new] =
         parts_.try_emplace(fmt::format("{} {} {}", geometry_only, material, path.string()));
     Part& part = found->second;
     if (!is_new) return part;
-    part.placed = load_part(path, ancestors_);
+    part.placed = load_part(path, context_, ancestors_);
     if (geometry_only) keep_geometry(part.placed);
     for (const std::string& note : part.placed.notes) scene_.notes.push_back(file + ": " + note);
     part.offsets = append_assets(scene_, part.placed);

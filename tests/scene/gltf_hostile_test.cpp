@@ -91,13 +91,13 @@ TEST_CASE("hostile glTF numbers are refused with their place") {
               "type": "VEC3", "byteOffset": 18446744073709551612})"),
          "overrun buffer view 0"},
         {with(&Parts::positions, R"({"componentType": 5126, "count": 4000000000, "type": "VEC3"})"),
-         "claims 4000000000 elements but has no data"},
+         "more than"},
         {with(&Parts::positions,
               R"({"bufferView": 7, "componentType": 5126, "count": 3, "type": "VEC3"})"),
          "buffer view 7, but there are 2"},
         {with(&Parts::positions,
               R"({"bufferView": 0, "componentType": 5130, "count": 3, "type": "VEC3"})"),
-         "component type 5130"},
+         "accessors[0].componentType: is 5130"},
         {with(&Parts::positions,
               R"({"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC4"})"),
          "must have 3 components"},
@@ -117,7 +117,27 @@ TEST_CASE("hostile glTF numbers are refused with their place") {
         {with(&Parts::primitive, R"("attributes": {"POSITION": 12}, "indices": 1)"),
          "accessor 12, but there are 2"},
         {with(&Parts::primitive, R"("attributes": {"POSITION": 0}, "indices": 12)"),
-         "out of bounds"},
+         "accessor 12, but there are 2"},
+        {with(&Parts::primitive, R"("attributes": {"POSITION": 0}, "indices": 4294967297)"),
+         "primitives[0].indices: must be a whole number"},
+        {with(&Parts::primitive, R"("attributes": {"POSITION": 0}, "mode": 4294967300)"),
+         "mode: must be a whole number 0 to 6, not 4294967300"},
+        {with(&Parts::primitive, R"("attributes": {"POSITION": 0}, "material": -1)"),
+         "material: must be a whole number 0"},
+        {with(&Parts::primitive, R"("attributes": {"POSITION": 0.5})"), "not 0.5"},
+        {with(&Parts::primitive, R"("attributes": {"POSITION": "0"})"), "not \"0\""},
+        {with(&Parts::positions, R"({"bufferView": 0, "componentType": 5126, "count": 3,
+              "type": "VEC3", "sparse": {"count": 4000000000,
+              "indices": {"bufferView": 1, "componentType": 5123},
+              "values": {"bufferView": 0}}})"),
+         "4000000000 elements overrun"},
+        {with(&Parts::positions, R"({"bufferView": 0, "componentType": 5126, "type": "VEC3"})"),
+         "accessors[0].count: is missing"},
+        {with(&Parts::buffers, R"([{"uri": "t.bin", "byteLength": 43}])"),
+         "buffer 0: it claims 43 bytes, but has 42"},
+        {with(&Parts::buffers, R"([{"byteLength": 42}])"), "holds no data"},
+        {with(&Parts::buffers, R"([{"uri": "data:;base64,#", "byteLength": 42}])"), "base64"},
+        {with(&Parts::buffers, R"([{"uri": "data:;base64", "byteLength": 42}])"), "no comma"},
         {with(&Parts::primitive, R"("attributes": {"POSITION": 0}, "material": 3)"),
          "material 3, but there are 0"},
     };
@@ -143,11 +163,22 @@ TEST_CASE("hostile glTF node trees are refused with the node") {
         {two_parents, "node 2: it is reached twice"},
         {with(&Parts::nodes, chain + R"({"mesh": 0}])"), "nested more than"},
         {with(&Parts::nodes, R"([{"children": [5], "mesh": 0}])"), "node 5, but there are 1"},
-        {with(&Parts::nodes, R"([{"children": [-1], "mesh": 0}])"), "node -1"},
+        {with(&Parts::nodes, R"([{"children": [-1], "mesh": 0}])"),
+         "nodes[0].children: must be a whole number"},
         {with(&Parts::nodes, R"([{"mesh": 4}])"), "mesh 4, but there are 1"},
         {with(&Parts::nodes, R"([{"mesh": 0, "camera": 4}])"), "camera 4, but there are 0"},
         {with(&Parts::nodes, R"([{"mesh": 0, "rotation": [0, 0, 0, 0]}])"), "rotation"},
-        {with(&Parts::nodes, R"([{"mesh": 0, "scale": [1e300, 1e300, 1e300]}])"),
+        {with(&Parts::nodes,
+              R"([{"mesh": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0]}])"),
+         "nodes[0].matrix: must be 16 numbers, not 15"},
+        {with(&Parts::nodes, R"([{"mesh": 0, "translation": [1, 2]}])"),
+         "must be 3 numbers, not 2"},
+        {with(&Parts::nodes, R"([{"mesh": 0, "translation": 1}])"), "must be an array, not 1"},
+        {with(&Parts::nodes,
+              R"([{"mesh": 0, "scale": [1e30, 1e30, 1e30]}, {"scale": [1e300, 1e300, 1e300]}])"),
+         "nodes[1].scale: is too large"},
+        {with(&Parts::nodes,
+              R"([{"children": [1], "scale": [1e30, 1, 1]}, {"mesh": 0, "scale": [1e30, 1, 1]}])"),
          "transform is not finite"},
         {with(&Parts::nodes,
               R"([{"mesh": 0, "matrix": [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}])"),
@@ -208,6 +239,49 @@ TEST_CASE("JSON nested a million deep is refused") {
     CHECK_THAT(error_of(with(&Parts::extra, ", \"extras\": " + deep)), Catch::Contains("nested"));
 }
 
+TEST_CASE("JSON that is no JSON is refused with its line") {
+    struct Case {
+        std::string extra, culprit;
+    };
+    const Case cases[] = {
+        {",\n\"extras\": }", "not valid JSON at line 3, column 11"},
+        {", \"extras\": 1e999", "not valid JSON"},
+        {", \"extras\": \"\xff\"", "not valid JSON"},
+        {", \"extras\": 1} {\"a\": 1", "not valid JSON"},
+        {", \"extras\": {\"a\": 1, \"a\": 2}", "'a' stands twice"},
+        {", \"accessors\": []", "'accessors' stands twice"},
+        {", \"materials\": {}", "materials: must be an array, not an object"},
+        {", \"materials\": [1]", "materials[0]: must be an object, not 1"},
+        {", \"materials\": [{\"name\": 1}]", "materials[0].name: must be a text, not 1"},
+        {", \"materials\": [{\"doubleSided\": 1}]", "must be true or false, not 1"},
+        {", \"materials\": [{\"emissiveFactor\": [1, 2]}]", "must be 3 numbers, not 2"},
+        {", \"materials\": [{\"emissiveFactor\": [1, 2, \"3\"]}]", "must be a number"},
+    };
+    for (const Case& c : cases) {
+        INFO(c.extra);
+        CHECK_THAT(error_of(with(&Parts::extra, c.extra)), Catch::Contains(c.culprit));
+    }
+}
+
+TEST_CASE("foreign names are escaped and cut in sentences") {
+    const std::string error = error_of(with(
+        &Parts::extra, ", \"extensionsRequired\": [\"\\u001b[31m" + std::string(200, 'x') + "\"]"));
+    CHECK_THAT(error, Catch::Contains("\\x1b[31m"));
+    CHECK(error.find('\x1b') == std::string::npos);
+    CHECK(error.size() < 300);
+}
+
+TEST_CASE("JSON that would take more memory than a load may is refused") {
+    ScratchFolder folder;
+    folder.write("t.bin", Parts().bytes);
+    std::string list = "0";
+    for (int i = 0; i < 100000; ++i) list += ",0";
+    const auto path =
+        folder.write("evil.gltf", with(&Parts::extra, ", \"extras\": [" + list + "]").json());
+    CHECK_THROWS_WITH(load_scene(path, {}, {.limit = 1 << 20}), Catch::Contains("--load-limit"));
+    CHECK_NOTHROW(load_scene(path, {}, {.limit = 1 << 24}));
+}
+
 TEST_CASE("damaged binary glTF containers are refused") {
     const std::string json = Parts().json();
     const std::string bin = little_endian(44) + std::string("BIN\0", 4) + Parts().bytes + "\0\0";
@@ -222,7 +296,7 @@ TEST_CASE("damaged binary glTF containers are refused") {
         {glb(json, "", 0, 4000000000u), "overruns"},
         {glb(json, little_endian(0xfffffff0u) + std::string("BIN\0", 4)), "overruns"},
         {glb(json, "").substr(0, 300), "truncated"},
-        {glb("{", ""), "not valid glTF"},
+        {glb("{", ""), "not valid JSON at line 1, column"},
     };
     for (const Case& c : cases) {
         ScratchFolder folder;

@@ -1,0 +1,23 @@
+// What the user asked of the loading of scenes. Every command that loads one has these options.
+#pragma once
+
+#include "core/command_line.h"
+
+#include "scene/load_options.h"
+
+#include <optional>
+
+namespace onde::app {
+
+struct LoadRequest {
+    LoadOptions options;
+    std::optional<double> gibibytes; ///< of the options' limit
+};
+
+void declare_load(Command& command, LoadRequest& request);
+
+/// The options with all that was asked. Throws InputError for values that are wrong whatever the
+/// scene is.
+LoadOptions load_options(const LoadRequest& request);
+
+} // namespace onde::app

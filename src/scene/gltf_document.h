@@ -1,0 +1,135 @@
+// What a glTF file says, as typed values: every key has its type, every number its range. Whether
+// indices have an element, and ranges their bytes, is checked where they are used.
+#pragma once
+
+#include "scene/json_reader.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace onde::gltf {
+
+using Index = std::optional<uint32_t>; ///< of an element of a list
+
+struct Buffer {
+    std::optional<std::string> uri;
+    uint64_t length = 0;
+};
+
+/// A range of a buffer.
+struct BufferView {
+    uint32_t buffer = 0;
+    uint64_t offset = 0, length = 0, stride = 0; ///< stride 0: elements are packed
+};
+
+enum class ComponentType : uint32_t {
+    int8 = 5120,
+    uint8 = 5121,
+    int16 = 5122,
+    uint16 = 5123,
+    uint32 = 5125,
+    float32 = 5126
+};
+
+struct Sparse {
+    uint64_t count = 0;
+    uint32_t indices_view = 0, values_view = 0;
+    uint64_t indices_offset = 0, values_offset = 0;
+    ComponentType indices_type = ComponentType::uint32;
+};
+
+struct Accessor {
+    Index view; ///< without one, all elements are zero
+    uint64_t offset = 0, count = 0;
+    ComponentType type = ComponentType::float32;
+    uint32_t components = 1; ///< 16 of a MAT4
+    bool normalized = false;
+    std::optional<Sparse> sparse;
+};
+
+/// An encoded picture: a file, a data URI, or a buffer view.
+struct ImageSource {
+    std::string name;
+    std::optional<std::string> uri;
+    Index view;
+};
+
+struct Sampler {
+    uint32_t wrap_u = 10497, wrap_v = 10497;
+    std::optional<uint32_t> magnify, minify;
+};
+
+struct TextureSource {
+    Index image, sampler;
+};
+
+using Attributes = std::map<std::string, uint32_t>; ///< names to accessors
+
+struct Primitive {
+    Attributes attributes;
+    Index indices, material;
+    uint32_t mode = 4;
+    std::vector<Attributes> targets;
+};
+
+struct MeshSource {
+    std::string name;
+    std::vector<Primitive> primitives;
+    std::vector<double> weights; ///< of the morph targets
+};
+
+struct Node {
+    std::string name;
+    std::vector<uint32_t> children;
+    Index mesh, camera, skin, light;
+    std::optional<std::array<double, 16>> matrix; ///< else what follows
+    std::array<double, 3> translation{0, 0, 0}, scale{1, 1, 1};
+    std::array<double, 4> rotation{0, 0, 0, 1}; ///< a quaternion x, y, z, w
+    std::vector<double> weights;                ///< of the mesh's morph targets, over its own
+};
+
+struct CameraSource {
+    std::string name;
+    bool perspective = true;
+    double yfov = 0, ymag = 0;
+};
+
+struct LightSource {
+    std::string name, type;
+    std::array<double, 3> color{1, 1, 1};
+    double intensity = 1;
+};
+
+struct SceneSource {
+    std::string name;
+    std::vector<uint32_t> nodes;
+};
+
+struct Document {
+    std::string version;
+    std::vector<std::string> extensions_used, extensions_required;
+    std::vector<Buffer> buffers;
+    std::vector<BufferView> views;
+    std::vector<Accessor> accessors;
+    std::vector<ImageSource> images;
+    std::vector<Sampler> samplers;
+    std::vector<TextureSource> textures;
+    std::vector<JsonReader> materials; ///< read by gltf_material.cpp
+    std::vector<MeshSource> meshes;
+    std::vector<Node> nodes;
+    std::vector<CameraSource> cameras;
+    std::vector<LightSource> lights;
+    std::vector<SceneSource> scenes;
+    Index scene; ///< the default one
+    bool animated = false, skinned = false;
+};
+
+/// Reads the root of a glTF file, which must outlive the document's readers. Throws InputError as
+/// JsonReader does.
+Document read_document(const JsonReader& root);
+
+} // namespace onde::gltf

@@ -1,0 +1,33 @@
+#include "scene/load_context.h"
+
+#include "core/error.h"
+#include "core/memory.h"
+#include "scene/references.h"
+
+namespace onde {
+
+LoadContext::LoadContext(const LoadOptions& options)
+    : options_(options), left_(options.limit ? options.limit : available_memory() / 4) {
+    options_.limit = left_;
+}
+
+void LoadContext::spend(uint64_t count, uint64_t size, const std::string& where) {
+    if (size == 0) return;
+    if (count > left_ / size)
+        throw InputError("{}: loading it takes more than the {:.3g} GiB that a load may use; "
+                         "give more by --load-limit, or split the scene",
+                         where, double(options_.limit) / double(1 << 30));
+    left_ -= count * size;
+}
+
+Notes LoadContext::notes_of(const std::filesystem::path& file) const {
+    return Notes(file.string(), options_.strict);
+}
+
+std::filesystem::path LoadContext::resolve(const std::filesystem::path& folder,
+                                           const std::string& reference,
+                                           const std::string& where) const {
+    return resolve_inside(folder, reference, where, options_.root);
+}
+
+} // namespace onde

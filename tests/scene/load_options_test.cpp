@@ -1,0 +1,59 @@
+// What users ask of a load, whatever the format: strictness, a root folder, a limit of memory.
+#include "scene/load_context.h"
+#include "scratch.h"
+
+using namespace onde;
+using onde::test::ScratchFolder;
+
+namespace {
+
+std::string error_with(const LoadOptions& options, const std::filesystem::path& path) {
+    try {
+        load_scene(path, {}, options);
+        return "";
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+} // namespace
+
+TEST_CASE("a root folder lets references leave the scene's folder, but not the root") {
+    ScratchFolder folder;
+    folder.write("textures/blue.png", test::blue_png());
+    const auto scene = folder.write("scenes/a.toml", R"(
+[[material]]
+name = "m"
+base_color_texture = "../textures/blue.png"
+[[shape]]
+type = "sphere"
+material = "m"
+)");
+    CHECK_THAT(error_with({}, scene), Catch::Contains("--root"));
+    CHECK(error_with({.root = folder.path()}, scene).empty());
+    CHECK_THAT(error_with({.root = folder.path() / "scenes"}, scene), Catch::Contains("leaves"));
+    CHECK_THAT(error_with({.root = folder.path() / "textures"}, scene), Catch::Contains("leaves"));
+}
+
+TEST_CASE("strict notes refuse what is wrong, but not what is merely left out") {
+    LoadContext strict({.strict = true}), tolerant;
+    Notes notes = tolerant.notes_of("a.obj");
+    notes.wrong("Bad normals are replaced", "mesh 3");
+    CHECK(notes.sentences() == std::vector<std::string>{"Bad normals are replaced (mesh 3)."});
+    Notes refused = strict.notes_of("a.obj");
+    refused.add("Lines are skipped");
+    CHECK(refused.sentences().size() == 1);
+    CHECK_THROWS_WITH(refused.wrong("Bad normals are replaced", "mesh 3"),
+                      Catch::StartsWith("a.obj: mesh 3: Bad normals are replaced"));
+}
+
+TEST_CASE("a load's budget is one for all that it loads and can't be passed by an overflow") {
+    LoadContext context({.limit = 1000});
+    context.spend(10, 60, "a");
+    CHECK(context.left() == 400);
+    CHECK_THROWS_WITH(context.spend(1, 401, "b.gltf: mesh 0"),
+                      Catch::StartsWith("b.gltf: mesh 0") && Catch::Contains("--load-limit"));
+    CHECK_THROWS_AS(context.spend(uint64_t(1) << 61, 8, "c"), InputError);
+    context.spend(400, 1, "d");
+    CHECK(context.left() == 0);
+}

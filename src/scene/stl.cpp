@@ -55,7 +55,7 @@ void read_binary(const std::string& name, std::string_view bytes, const AddFacet
                          "no STL file, copy or export it again",
                          name, count, held);
     if (bytes.size() > HEADER + FACET * count)
-        notes.add("Bytes after the triangles that the file claims are ignored");
+        notes.wrong("Bytes after the triangles that the file claims are ignored");
     for (uint64_t i = 0; i < count; ++i) {
         const std::string_view facet = bytes.substr(HEADER + FACET * i, FACET);
         std::array<glm::dvec3, 3> corners;
@@ -73,7 +73,7 @@ class AsciiReader {
 
     void read() {
         while (const auto line = lines_.next()) read_line(*line);
-        if (!corners_.empty()) notes_.add("A facet without an end is skipped");
+        if (!corners_.empty()) notes_.wrong("A facet without an end is skipped");
     }
 
   private:
@@ -107,7 +107,7 @@ class AsciiReader {
         if (corners_.size() >= 3)
             add_(corners_);
         else if (!corners_.empty())
-            notes_.add("Facets of fewer than three corners are skipped",
+            notes_.wrong("Facets of fewer than three corners are skipped",
                        "line " + std::to_string(lines_.number()));
         corners_.clear();
     }

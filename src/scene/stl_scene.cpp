@@ -31,7 +31,7 @@ class FacetMesh {
     void add(std::span<const glm::dvec3> corners, Notes& notes) {
         if (!std::ranges::all_of(corners, is_finite)) {
             dropped_ = true;
-            return notes.add("Facets with positions that are no finite numbers are left out");
+            return notes.wrong("Facets with positions that are no finite numbers are left out");
         }
         corners_.clear();
         for (const glm::dvec3& corner : corners) corners_.push_back(vertex(corner));

@@ -4,6 +4,7 @@
 #include "scene/load.h"
 #include "scene/loaders.h"
 #include "scene/phong.h"
+#include "scene/toml_depth.h"
 #include "scene/toml_fields.h"
 #include "scene/toml_keys.h"
 #include "scene/toml_lesson.h"
@@ -15,10 +16,16 @@ namespace onde {
 namespace fs = std::filesystem;
 
 static constexpr uint64_t MAX_BYTES = uint64_t(256) << 20;
-static constexpr size_t MAX_DEPTH = 16;
+static constexpr size_t MAX_DEPTH = 16;   ///< of includes
+static constexpr size_t MAX_NESTING = 32; ///< of keys and of brackets; toml++ recurses into both
 
 static toml::table parse(const fs::path& path) {
     const std::string text = read_file(path, MAX_BYTES);
+    if (const auto line = line_nested_deeper(text, MAX_NESTING))
+        throw InputError(
+            "{}:{}: nested too deep; keys have at most {} parts, and brackets stand at "
+            "most {} deep",
+            path.string(), *line, MAX_NESTING, MAX_NESTING);
     try {
         return toml::parse(text, path.string());
     } catch (const toml::parse_error& error) {

@@ -108,7 +108,7 @@ class AsciiReader {
             add_(corners_);
         else if (!corners_.empty())
             notes_.wrong("Facets of fewer than three corners are skipped",
-                       "line " + std::to_string(lines_.number()));
+                         "line " + std::to_string(lines_.number()));
         corners_.clear();
     }
 

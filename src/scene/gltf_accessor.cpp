@@ -128,21 +128,36 @@ void apply_sparse(const File& file, const Accessor& accessor, const std::string&
     }
 }
 
+/// The accessor, as the primitive's compressed data states it where it has any.
+Accessor accessor_at(const File& file, uint32_t index, const std::string& user) {
+    Accessor accessor = at(file, file.document.accessors, index, "accessor", user);
+    const auto decoded = file.decoded_elements.find(index);
+    if (decoded == file.decoded_elements.end()) return accessor;
+    accessor.view.reset();
+    accessor.count = decoded->second.count;
+    accessor.type = decoded->second.type;
+    accessor.components = decoded->second.components;
+    return accessor;
+}
+
 template <class T>
 std::vector<T> read(const File& file, uint32_t index, const std::string& user) {
-    const Accessor& accessor = at(file, file.document.accessors, index, "accessor", user);
+    const Accessor accessor = accessor_at(file, index, user);
     const size_t size = component_size(accessor.type);
     constexpr size_t COMPONENTS = Decode<T>::COMPONENTS;
     if (accessor.components != COMPONENTS)
         throw InputError("{}: {}: its accessor {} must have {} components, not {}; export it again",
                          file.name, user, index, COMPONENTS, accessor.components);
     Window data;
-    if (accessor.view)
+    const auto decoded = file.decoded_elements.find(index);
+    if (decoded != file.decoded_elements.end())
+        data = {reinterpret_cast<const uint8_t*>(decoded->second.bytes.data()), size * COMPONENTS};
+    else if (accessor.view)
         data =
             window(file, *accessor.view, accessor.offset, accessor.count, size * COMPONENTS, user);
     file.context.spend(accessor.count, sizeof(T), file.where(user));
     std::vector<T> values(accessor.count, T(0));
-    if (accessor.view)
+    if (data.first)
         for (size_t i = 0; i < values.size(); ++i)
             values[i] = Decode<T>::element(data[i], accessor.type, accessor.normalized, size);
     if (accessor.sparse) apply_sparse(file, accessor, user, values);
@@ -168,13 +183,20 @@ void throw_missing(const File& file, const char* kind, uint32_t index, size_t co
                      kind, index, count);
 }
 
-std::span<const uint8_t> view_bytes(const File& file, uint32_t index, const std::string& user) {
-    const BufferView& view = at(file, file.document.views, index, "buffer view", user);
+std::span<const uint8_t> range_of(const File& file, const BufferView& view, uint32_t index,
+                                  const std::string& user) {
     const std::span<const uint8_t> buffer = at(file, file.buffers, view.buffer, "buffer", user);
     if (view.offset > buffer.size() || view.length > buffer.size() - view.offset)
         throw InputError("{}: {}: buffer view {} overruns its buffer of {} bytes; export it again",
                          file.name, user, index, buffer.size());
     return buffer.subspan(size_t(view.offset), size_t(view.length));
+}
+
+std::span<const uint8_t> view_bytes(const File& file, uint32_t index, const std::string& user) {
+    const BufferView& view = at(file, file.document.views, index, "buffer view", user);
+    if (!view.meshopt) return range_of(file, view, index, user);
+    const std::string& bytes = file.decoded_views.at(index);
+    return {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()};
 }
 
 std::vector<glm::vec2> read_vec2(const File& file, uint32_t accessor, const std::string& user) {
@@ -186,7 +208,7 @@ std::vector<glm::vec3> read_vec3(const File& file, uint32_t accessor, const std:
 }
 
 std::vector<uint32_t> read_indices(const File& file, uint32_t accessor, const std::string& user) {
-    const Accessor& source = at(file, file.document.accessors, accessor, "accessor", user);
+    const Accessor source = accessor_at(file, accessor, user);
     if (!is_unsigned(source.type))
         throw InputError("{}: {}: its indices have the component type {}, which is not an unsigned "
                          "integer; export it again",

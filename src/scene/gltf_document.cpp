@@ -52,12 +52,40 @@ Buffer read_buffer(const JsonReader& object) {
             object.require("byteLength", object.integer("byteLength", 0, MAX_SIZE))};
 }
 
+template <class Enum, size_t N>
+Enum word_in(const JsonReader& object, const char* key, const std::array<const char*, N>& words,
+             std::optional<std::string> word) {
+    const std::string given = object.require(key, std::move(word));
+    const auto found = std::ranges::find(words, given);
+    if (found == words.end()) object.fail(key, "is a word that glTF does not know");
+    return Enum(found - words.begin());
+}
+
+std::optional<Meshopt> read_meshopt(const JsonReader& view) {
+    constexpr std::array MODES{"ATTRIBUTES", "TRIANGLES", "INDICES"};
+    constexpr std::array FILTERS{"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"};
+    auto object = view.extension("KHR_meshopt_compression");
+    if (!object) object = view.extension("EXT_meshopt_compression");
+    if (!object) return std::nullopt;
+    Meshopt meshopt;
+    meshopt.buffer = required_index(*object, "buffer");
+    meshopt.offset = size_in(*object, "byteOffset");
+    meshopt.length = object->require("byteLength", object->integer("byteLength", 0, MAX_SIZE));
+    meshopt.stride = uint32_t(object->require("byteStride", object->integer("byteStride", 1, 256)));
+    meshopt.count = object->require("count", object->integer("count", 0, MAX_SIZE));
+    meshopt.mode = word_in<MeshoptMode>(*object, "mode", MODES, object->text("mode"));
+    meshopt.filter =
+        word_in<MeshoptFilter>(*object, "filter", FILTERS, object->text("filter").value_or("NONE"));
+    return meshopt;
+}
+
 BufferView read_view(const JsonReader& object) {
     BufferView view;
     view.buffer = required_index(object, "buffer");
     view.offset = size_in(object, "byteOffset");
     view.length = object.require("byteLength", object.integer("byteLength", 0, MAX_SIZE));
     view.stride = object.integer("byteStride", 0, 252).value_or(0);
+    view.meshopt = read_meshopt(object);
     return view;
 }
 
@@ -120,6 +148,10 @@ Primitive read_primitive(const JsonReader& object) {
     primitive.mode = uint32_t(object.integer("mode", 0, 6).value_or(4));
     for (const JsonReader& target : object.objects("targets"))
         primitive.targets.push_back(read_attributes(target));
+    if (const auto draco = object.extension("KHR_draco_mesh_compression"))
+        primitive.draco = {
+            required_index(*draco, "bufferView"),
+            read_attributes(draco->require("attributes", draco->object("attributes")))};
     return primitive;
 }
 

@@ -20,10 +20,23 @@ struct Buffer {
     uint64_t length = 0;
 };
 
+enum class MeshoptMode { attributes, triangles, indices };
+enum class MeshoptFilter { none, octahedral, quaternion, exponential, color };
+
+/// A compressed range of a buffer (EXT_meshopt_compression, KHR_meshopt_compression).
+struct Meshopt {
+    uint32_t buffer = 0;
+    uint64_t offset = 0, length = 0, count = 0;
+    uint32_t stride = 0;
+    MeshoptMode mode = MeshoptMode::attributes;
+    MeshoptFilter filter = MeshoptFilter::none;
+};
+
 /// A range of a buffer.
 struct BufferView {
     uint32_t buffer = 0;
     uint64_t offset = 0, length = 0, stride = 0; ///< stride 0: elements are packed
+    std::optional<Meshopt> meshopt;              ///< stands for the range
 };
 
 enum class ComponentType : uint32_t {
@@ -69,11 +82,18 @@ struct TextureSource {
 
 using Attributes = std::map<std::string, uint32_t>; ///< names to accessors
 
+/// A compressed primitive (KHR_draco_mesh_compression).
+struct Draco {
+    uint32_t view = 0;
+    Attributes attributes; ///< names to identifiers in the compressed data
+};
+
 struct Primitive {
     Attributes attributes;
     Index indices, material;
     uint32_t mode = 4;
     std::vector<Attributes> targets;
+    std::optional<Draco> draco;
 };
 
 struct MeshSource {

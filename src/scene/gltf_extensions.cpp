@@ -6,12 +6,15 @@
 namespace onde::gltf {
 
 static constexpr std::array EXTENSIONS{
+    Extension{"EXT_meshopt_compression", Support::read},
     Extension{"KHR_animation_pointer", Support::ignored},
+    Extension{"KHR_draco_mesh_compression", Support::read},
     Extension{"KHR_lights_punctual", Support::read},
     Extension{"KHR_materials_emissive_strength", Support::read},
     Extension{"KHR_materials_ior", Support::read},
     Extension{"KHR_materials_transmission", Support::mapped},
     Extension{"KHR_mesh_quantization", Support::read},
+    Extension{"KHR_meshopt_compression", Support::read},
     Extension{"KHR_texture_transform", Support::none},
     Extension{"KHR_xmp_json_ld", Support::ignored},
 };

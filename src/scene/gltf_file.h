@@ -18,6 +18,14 @@
 
 namespace onde::gltf {
 
+/// What compressed data decodes to in place of an accessor's elements, packed.
+struct Elements {
+    std::string bytes;
+    uint64_t count = 0;
+    ComponentType type = ComponentType::float32;
+    uint32_t components = 1;
+};
+
 /// What the file says, with its buffers in memory. Indices and ranges in `document` are unchecked.
 struct File {
     LoadContext& context;
@@ -30,6 +38,8 @@ struct File {
     std::map<std::filesystem::path, std::string> files; ///< bytes, each file read once
     std::deque<std::string> decoded;                    ///< bytes of data URIs
     std::vector<std::span<const uint8_t>> buffers;      ///< one for each of the document's
+    std::map<uint32_t, std::string> decoded_views;      ///< of views that are compressed
+    std::map<uint32_t, Elements> decoded_elements;      ///< of the primitive in work, by accessor
 
     /// "FILE: what".
     std::string where(const std::string& what) const { return name + ": " + what; }
@@ -41,8 +51,10 @@ struct File {
 File open_file(const std::filesystem::path& path, LoadContext& context);
 
 /// The bytes of a reference of the file: of a data URI, or of a file, which is read once. They live
-/// as long as `file`. Throws InputError that begins with `where`.
-std::span<const uint8_t> uri_bytes(File& file, const std::string& uri, const std::string& where);
+/// as long as `file`. Nothing where there is no such file. Throws InputError that begins with
+/// `where` for damaged data and for references out of the folder.
+std::optional<std::span<const uint8_t>> uri_bytes(File& file, const std::string& uri,
+                                                  const std::string& where);
 
 /// Element `index` of a list of the file; throws InputError when there is none.
 template <class T>
@@ -52,7 +64,11 @@ const T& at(const File& file, const std::vector<T>& list, uint32_t index, const 
 [[noreturn]] void throw_missing(const File& file, const char* kind, uint32_t index, size_t count,
                                 const std::string& user);
 
-/// The bytes of a buffer view, checked against its buffer.
+/// A range of a buffer, checked; the sentence speaks of buffer view `index`.
+std::span<const uint8_t> range_of(const File& file, const BufferView& view, uint32_t index,
+                                  const std::string& user);
+
+/// The bytes of a buffer view, decompressed, checked against its buffer.
 std::span<const uint8_t> view_bytes(const File& file, uint32_t view, const std::string& user);
 
 /// The floats of an accessor with that many components, integers normalised where it says so,

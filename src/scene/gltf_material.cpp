@@ -27,7 +27,9 @@ class TextureLoader {
                  const std::string& user);
 
   private:
-    ByteImage decode(const ImageSource& image, const std::string& name);
+    std::optional<std::span<const uint8_t>> encoded(const ImageSource& image,
+                                                    const std::string& name);
+    std::optional<ByteImage> decode(const ImageSource& image, const std::string& name);
 
     File& file_;
     Scene& scene_;
@@ -40,11 +42,25 @@ Wrap wrap_mode(uint32_t mode) {
     return mode == MIRRORED_REPEAT ? Wrap::mirror : Wrap::repeat;
 }
 
-ByteImage TextureLoader::decode(const ImageSource& image, const std::string& name) {
-    const std::string where = file_.where(name);
-    if (image.view) return decode_byte_image(view_bytes(file_, *image.view, name), where);
-    if (image.uri) return decode_byte_image(uri_bytes(file_, *image.uri, where), where);
-    throw InputError("{}: it has neither a file nor a buffer view; export it again", where);
+std::optional<std::span<const uint8_t>> TextureLoader::encoded(const ImageSource& image,
+                                                               const std::string& name) {
+    if (image.view) return view_bytes(file_, *image.view, name);
+    return image.uri ? uri_bytes(file_, *image.uri, file_.where(name)) : std::nullopt;
+}
+
+/// Nothing, with a note, for an image that is missing or that we can't decode.
+std::optional<ByteImage> TextureLoader::decode(const ImageSource& image, const std::string& name) {
+    const auto bytes = encoded(image, name);
+    if (!bytes) {
+        file_.notes.wrong("Images that are missing are left out", name);
+        return std::nullopt;
+    }
+    try {
+        return decode_byte_image(*bytes, file_.where(name));
+    } catch (const InputError&) {
+        file_.notes.wrong("Images that can't be read are left out", name);
+        return std::nullopt;
+    }
 }
 
 int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_view key, bool srgb,
@@ -72,8 +88,10 @@ int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_v
     const ImageSource& image = at(file_, file_.document.images, *texture.image, "image", user);
     const std::string label = image.name.empty() ? image.uri.value_or("") : image.name;
     const std::string name = fmt::format("image {} '{}'", *texture.image, shown(label));
-    found->second = int32_t(scene_.textures.size());
-    scene_.textures.push_back({shown(label), decode(image, name), srgb, u, v});
+    if (auto pixels = decode(image, name)) {
+        found->second = int32_t(scene_.textures.size());
+        scene_.textures.push_back({shown(label), std::move(*pixels), srgb, u, v});
+    }
     return found->second;
 }
 

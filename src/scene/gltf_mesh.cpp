@@ -1,5 +1,6 @@
 // Meshes of glTF (section 3.7): the primitives of a mesh become one Mesh.
 #include "core/error.h"
+#include "scene/gltf_draco.h"
 #include "scene/gltf_scene.h"
 #include "scene/mesh_parts.h"
 
@@ -70,6 +71,7 @@ void note_ignored(File& file, const Primitive& primitive, const std::string& use
 MeshPart convert(File& file, const Primitive& primitive, uint32_t default_material,
                  const std::string& user) {
     MeshPart part;
+    decode_draco(file, primitive, user);
     part.positions = read_vec3(file, *attribute(primitive, "POSITION"), user + " POSITION");
     const size_t vertices = part.positions.size();
     if (const Index normals = attribute(primitive, "NORMAL"))

@@ -158,6 +158,15 @@ TEST_CASE(
     CHECK(color.image.rgba == std::vector<uint8_t>{64, 128, 255, 255});
 }
 
+TEST_CASE("an image may not lie out of the folder, though it may be missing") {
+    ScratchFolder folder;
+    folder.write("quad.bin", quad_bytes());
+    CHECK_THAT(test::load_error(folder.write("q.gltf", quad_gltf(R"([{"mesh": 0}])", "", R"(,
+  "materials": [{"emissiveTexture": {"index": 0}}], "textures": [{"source": 0}],
+  "images": [{"uri": "../other.png"}])"))),
+               Catch::Contains("leaves the scene's folder"));
+}
+
 TEST_CASE("an image that no material uses is never decoded") {
     ScratchFolder folder;
     folder.write("quad.bin", quad_bytes());

@@ -1,6 +1,7 @@
 #include "scene/load_context.h"
 
 #include "core/error.h"
+#include "core/files.h"
 #include "core/memory.h"
 #include "scene/references.h"
 
@@ -28,6 +29,14 @@ std::filesystem::path LoadContext::resolve(const std::filesystem::path& folder,
                                            const std::string& reference,
                                            const std::string& where) const {
     return resolve_inside(folder, reference, where, options_.root);
+}
+
+std::string read_file_within(LoadContext& context, const std::filesystem::path& path,
+                             uint64_t limit) {
+    std::error_code error;
+    const uint64_t size = std::filesystem::file_size(path, error);
+    if (!error && size <= limit) context.spend(size, 1, path.string());
+    return read_file(path, limit);
 }
 
 } // namespace onde

@@ -37,4 +37,30 @@ class LoadContext {
     uint64_t left_;
 };
 
+/// The file's bytes, which are spent before they are read. Throws InputError as read_file() does.
+std::string read_file_within(LoadContext& context, const std::filesystem::path& path,
+                             uint64_t limit = uint64_t(4) << 30);
+
+/// Spends in steps of a megabyte what grows bit by bit.
+class GradualSpending {
+  public:
+    /// Both must outlive it.
+    GradualSpending(LoadContext& context, const std::string& where)
+        : context_(context), where_(where) {}
+
+    void add(uint64_t bytes) {
+        owed_ += bytes;
+        if (owed_ < STEP) return;
+        context_.spend(owed_, 1, where_);
+        owed_ = 0;
+    }
+
+  private:
+    static constexpr uint64_t STEP = uint64_t(1) << 20;
+
+    LoadContext& context_;
+    const std::string& where_;
+    uint64_t owed_ = 0;
+};
+
 } // namespace onde

@@ -1,6 +1,5 @@
 // Wavefront OBJ with its MTL files: read, repaired, given materials, made a mesh.
 #include "core/error.h"
-#include "core/files.h"
 #include "scene/loaders.h"
 #include "scene/obj_library.h"
 #include "scene/obj_material.h"
@@ -49,11 +48,12 @@ Bindings bind_materials(const obj::File& file, const obj::Libraries& libraries, 
 
 Scene load_obj(const fs::path& path, LoadContext& context) {
     const std::string name = path.string();
-    const auto text = text::decode(read_file(path));
+    const auto text = text::decode(read_file_within(context, path));
     if (!text) throw InputError("{}: not a text file; an OBJ must be ASCII or UTF-8", name);
     Notes notes = context.notes_of(path);
     Scene scene;
-    obj::File file = obj::read(name, *text, notes);
+    GradualSpending cost(context, name);
+    obj::File file = obj::read(name, *text, notes, cost);
     FileFinder files(path.has_parent_path() ? path.parent_path() : fs::path("."), context);
     const obj::Libraries libraries(file.libraries, files, notes);
     const Bindings bindings = bind_materials(file, libraries, scene, files, notes);
@@ -65,7 +65,8 @@ Scene load_obj(const fs::path& path, LoadContext& context) {
         throw InputError("{}: all faces have positions that are no finite numbers; export it again",
                          name);
     obj::smooth_groups(file);
-    scene.meshes.push_back(obj::build_mesh(file, path.stem().string(), bindings.materials, notes));
+    scene.meshes.push_back(
+        obj::build_mesh(file, path.stem().string(), bindings.materials, notes, cost));
     scene.instances.push_back({0, glm::mat4(1.0f)});
     scene.notes = notes.sentences();
     return scene;

@@ -30,8 +30,8 @@ std::string quoted(std::string_view word) {
 
 class Reader {
   public:
-    Reader(const std::string& name, std::string_view text, Notes& notes)
-        : name_(name), lines_(text), notes_(notes) {}
+    Reader(const std::string& name, std::string_view text, Notes& notes, GradualSpending& cost)
+        : name_(name), lines_(text), notes_(notes), cost_(cost) {}
 
     File read();
 
@@ -49,6 +49,7 @@ class Reader {
     const std::string& name_;
     text::Lines lines_;
     Notes& notes_;
+    GradualSpending& cost_;
     File file_;
     uint32_t material_ = 0, smoothing_ = 0;
     std::unordered_map<std::string, uint32_t> material_indices_;
@@ -178,7 +179,9 @@ File Reader::read() {
     file_.material_names.emplace_back();
     material_indices_[""] = 0;
     while (const auto line = lines_.next()) {
+        const uint64_t before = bytes_of(file_);
         read_statement(Words(*line));
+        cost_.add(bytes_of(file_) - before);
         if (std::max({file_.positions.size(), file_.uvs.size(), file_.normals.size()}) >
             MAX_VERTICES)
             throw InputError("{}: more than {} vertices; split the file", name_, MAX_VERTICES);
@@ -189,8 +192,18 @@ File Reader::read() {
 
 } // namespace
 
-File read(const std::string& name, std::string_view text, Notes& notes) {
-    return Reader(name, text, notes).read();
+template <class T>
+static uint64_t bytes_in(const std::vector<T>& elements) {
+    return elements.size() * sizeof(T);
+}
+
+uint64_t bytes_of(const File& file) {
+    return bytes_in(file.positions) + bytes_in(file.colors) + bytes_in(file.normals) +
+           bytes_in(file.uvs) + bytes_in(file.corners) + bytes_in(file.faces);
+}
+
+File read(const std::string& name, std::string_view text, Notes& notes, GradualSpending& cost) {
+    return Reader(name, text, notes, cost).read();
 }
 
 } // namespace onde::obj

@@ -2,7 +2,7 @@
 // materials' looks or of triangles.
 #pragma once
 
-#include "scene/notes.h"
+#include "scene/load_context.h"
 
 #include <glm/glm.hpp>
 
@@ -50,8 +50,11 @@ struct File {
     }
 };
 
+/// Bytes that the arrays of a file hold.
+uint64_t bytes_of(const File& file);
+
 /// Reads the text of an OBJ file. What is left out is noted; an index that is no number or out of
 /// range is an InputError "NAME:LINE: ...".
-File read(const std::string& name, std::string_view text, Notes& notes);
+File read(const std::string& name, std::string_view text, Notes& notes, GradualSpending& cost);
 
 } // namespace onde::obj

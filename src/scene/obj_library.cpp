@@ -1,7 +1,6 @@
 #include "scene/obj_library.h"
 
 #include "core/error.h"
-#include "core/files.h"
 #include "scene/find_file.h"
 #include "scene/text.h"
 
@@ -78,7 +77,8 @@ bool Libraries::read_named(const std::string& name) {
     if (!read_.insert(*found).second) return true;
     const std::string folder = fs::path(*found).parent_path().string();
     try {
-        const auto text = text::decode(read_file(files_.folder() / *found, MAX_LIBRARY_BYTES));
+        const auto text = text::decode(
+            read_file_within(files_.context(), files_.folder() / *found, MAX_LIBRARY_BYTES));
         if (!text) throw InputError("not a text file");
         for (mtl::Material& material : mtl::read(*text, notes_))
             if (materials_.size() < MAX_MATERIALS)

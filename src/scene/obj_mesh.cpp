@@ -23,9 +23,11 @@ struct CornerHash {
 /// Triangles whose corners all have normals, or none; equal corners share a vertex.
 class PartBuilder {
   public:
-    PartBuilder(const File& file, bool normals) : file_(file), normals_(normals) {}
+    PartBuilder(const File& file, bool normals, GradualSpending& cost)
+        : file_(file), normals_(normals), cost_(cost) {}
 
     void add_face(std::span<const Corner> corners, uint32_t material) {
+        cost_.add(corners.size() * TRIANGLE_BYTES);
         vertices_.clear();
         positions_.clear();
         for (const Corner& corner : corners) {
@@ -45,6 +47,7 @@ class PartBuilder {
         if (!normals_) corner.normal = NONE;
         const auto [found, is_new] = known_.try_emplace(corner, uint32_t(part_.positions.size()));
         if (!is_new) return found->second;
+        cost_.add(VERTEX_BYTES);
         if (part_.positions.size() >= MAX_VERTICES)
             throw InputError("more than {} vertices; split the file", MAX_VERTICES);
         // Up to here positions are doubles: what recentres them subtracts the centre here.
@@ -64,6 +67,7 @@ class PartBuilder {
 
     const File& file_;
     bool normals_;
+    GradualSpending& cost_;
     MeshPart part_;
     std::unordered_map<Corner, uint32_t, CornerHash> known_;
     std::vector<uint32_t> vertices_;    ///< of the face being added
@@ -73,8 +77,8 @@ class PartBuilder {
 } // namespace
 
 Mesh build_mesh(const File& file, const std::string& name, std::span<const uint32_t> materials,
-                Notes& notes) {
-    PartBuilder smooth(file, true), flat(file, false);
+                Notes& notes, GradualSpending& cost) {
+    PartBuilder smooth(file, true, cost), flat(file, false, cost);
     bool uvs = false;
     for (size_t i = 0; i < file.faces.size(); ++i) {
         const std::span<const Corner> corners = file.corners_of(i);

@@ -9,6 +9,6 @@ namespace onde::obj {
 /// One mesh of all faces, triangulated; corners that are equal share a vertex. `materials` has the
 /// scene's material for each of File::material_names. Numbers have been repaired (obj_repair.h).
 Mesh build_mesh(const File& file, const std::string& name, std::span<const uint32_t> materials,
-                Notes& notes);
+                Notes& notes, GradualSpending& cost);
 
 } // namespace onde::obj

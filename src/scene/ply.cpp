@@ -1,7 +1,6 @@
 // PLY, the Stanford triangle format: vertices with normals and texture coordinates, polygons,
 // strips. Header and values are read by ply_header and ply_body; here they become a mesh.
 #include "core/error.h"
-#include "core/files.h"
 #include "scene/loaders.h"
 #include "scene/mesh_parts.h"
 #include "scene/ply_body.h"
@@ -49,10 +48,10 @@ bool is_corner_list(const Property& property) {
 /// Reads the file's elements in their order.
 class PlyReader {
   public:
-    PlyReader(const std::string& name, const std::string& file, Notes notes)
+    PlyReader(const std::string& name, const std::string& file, Notes notes, LoadContext& context)
         : name_(name), header_(ply::read_header(name, file)),
           body_(name_, std::string_view(file).substr(header_.size), header_.encoding),
-          notes_(std::move(notes)) {}
+          notes_(std::move(notes)), context_(context), cost_(context, name) {}
 
     Mesh read(const std::string& mesh_name) {
         check_elements();
@@ -96,6 +95,8 @@ class PlyReader {
     Header header_;
     Body body_;
     Notes notes_;
+    LoadContext& context_;
+    GradualSpending cost_;
     MeshPart part_;
     std::vector<glm::dvec3> positions_;
     bool bad_positions_ = false;      ///< whether some are no finite numbers
@@ -143,6 +144,7 @@ void PlyReader::read_vertices(const Element& element) {
         throw InputError("{}: its vertices have no x, y and z; export it again", name_);
     if (has[R] || has[G] || has[B]) notes_.add("Vertex colours are ignored");
     body_.begin(element);
+    context_.spend(element.count, VERTEX_BYTES, name_);
     positions_.reserve(element.count);
     std::array<double, UNUSED> vertex{};
     for (uint64_t row = 0; row < element.count; ++row) {
@@ -207,6 +209,7 @@ void PlyReader::hide_bad_positions() {
 
 void PlyReader::read_polygon(const Property& list) {
     const uint64_t count = body_.length(list);
+    cost_.add(count * TRIANGLE_BYTES);
     corners_.clear();
     for (uint64_t i = 0; i < count; ++i)
         corners_.push_back(body_.index(list.type, positions_.size(), "vertex"));
@@ -226,6 +229,7 @@ void PlyReader::read_strip(const Property& list) {
     std::array<uint32_t, 3> corners{};
     size_t known = 0; // corners of this strip so far
     for (uint64_t left = body_.length(list); left > 0; --left) {
+        cost_.add(TRIANGLE_BYTES);
         const auto corner = body_.index_or_none(list.type, positions_.size(), "vertex");
         if (!corner) {
             known = 0;
@@ -247,8 +251,8 @@ void PlyReader::skip(const Element& element) {
 } // namespace
 
 Scene load_ply(const fs::path& path, LoadContext& context) {
-    const std::string file = read_file(path), name = path.string();
-    PlyReader reader(name, file, context.notes_of(path));
+    const std::string file = read_file_within(context, path), name = path.string();
+    PlyReader reader(name, file, context.notes_of(path), context);
     Scene scene;
     scene.materials.emplace_back().name = "default";
     scene.meshes.push_back(reader.read(path.stem().string()));

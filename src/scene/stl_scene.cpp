@@ -1,6 +1,5 @@
 // STL: its facets become a mesh, flat shaded, of diffuse grey. Equal positions share a vertex.
 #include "core/error.h"
-#include "core/files.h"
 #include "scene/loaders.h"
 #include "scene/mesh_parts.h"
 #include "scene/stl.h"
@@ -28,11 +27,14 @@ struct PositionHash {
 
 class FacetMesh {
   public:
+    explicit FacetMesh(GradualSpending& cost) : cost_(cost) {}
+
     void add(std::span<const glm::dvec3> corners, Notes& notes) {
         if (!std::ranges::all_of(corners, is_finite)) {
             dropped_ = true;
             return notes.wrong("Facets with positions that are no finite numbers are left out");
         }
+        cost_.add(corners.size() * TRIANGLE_BYTES);
         corners_.clear();
         for (const glm::dvec3& corner : corners) corners_.push_back(vertex(corner));
         for (const auto& [a, b, c] : triangulate(corners)) {
@@ -64,10 +66,12 @@ class FacetMesh {
         if (is_new && part_.positions.size() >= MAX_VERTICES)
             throw InputError("more than {} vertices; split the file", MAX_VERTICES);
         // Up to here positions are doubles: what recentres them subtracts the centre here.
+        if (is_new) cost_.add(VERTEX_BYTES);
         if (is_new) part_.positions.emplace_back(position);
         return found->second;
     }
 
+    GradualSpending& cost_;
     MeshPart part_;
     std::unordered_map<glm::dvec3, uint32_t, PositionHash> vertices_;
     std::vector<uint32_t> corners_; ///< of the facet being added
@@ -77,19 +81,20 @@ class FacetMesh {
 } // namespace
 
 Scene load_stl(const fs::path& path, LoadContext& context) {
-    std::string bytes = read_file(path);
+    const std::string name = path.string();
+    std::string bytes = read_file_within(context, path);
     // Only an ASCII file begins with a byte-order mark.
     if (bytes.starts_with("\xef\xbb\xbf") || bytes.starts_with("\xff\xfe") ||
         bytes.starts_with("\xfe\xff"))
         bytes = text::decode(bytes).value_or(bytes);
     Notes notes = context.notes_of(path);
-    FacetMesh mesh;
+    GradualSpending cost(context, name);
+    FacetMesh mesh(cost);
     stl::read(
-        path.string(), bytes,
-        [&](std::span<const glm::dvec3> corners) { mesh.add(corners, notes); }, notes);
+        name, bytes, [&](std::span<const glm::dvec3> corners) { mesh.add(corners, notes); }, notes);
     Scene scene;
     scene.materials.emplace_back().name = "default";
-    scene.meshes.push_back(mesh.take(path.string(), path.stem().string(), notes));
+    scene.meshes.push_back(mesh.take(name, path.stem().string(), notes));
     scene.instances.push_back({0, glm::mat4(1.0f)});
     scene.notes = notes.sentences();
     return scene;

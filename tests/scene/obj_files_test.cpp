@@ -312,3 +312,28 @@ TEST_CASE("norm is a normal map, whose -bm scales it") {
     CHECK(material.normal_texture == 0);
     CHECK(material.normal_scale == 0.5f);
 }
+
+TEST_CASE("mesh files of more than a load may take are refused before they take it") {
+    std::string obj, stl = "solid\n",
+                     ply = "ply\nformat ascii 1.0\nelement vertex 100000\n"
+                           "property float x\nproperty float y\n"
+                           "property float z\nelement face 1\n"
+                           "property list int int vertex_indices\nend_header\n";
+    for (int i = 0; i < 100000; ++i) {
+        const std::string number = std::to_string(i);
+        obj += "v " + number + " 0 0\n";
+        ply += number + " 0 0\n";
+        stl +=
+            "facet\nvertex " + number + " 0 0\nvertex 0 " + number + " 0\nvertex 0 0 1\nendfacet\n";
+    }
+    const std::pair<std::string, std::string> files[] = {
+        {"a.obj", obj + "f 1 2 3\n"}, {"a.stl", stl}, {"a.ply", ply + "3 0 1 2\n"}};
+    for (const auto& [name, content] : files) {
+        ScratchFolder folder;
+        const auto path = folder.write(name, content);
+        const uint64_t enough = 64 << 20, little = content.size() + (2 << 20);
+        CHECK_NOTHROW(load_scene(path, {}, {.limit = enough}));
+        CHECK_THROWS_WITH(load_scene(path, {}, {.limit = little}),
+                          Catch::Contains(name) && Catch::Contains("--load-limit"));
+    }
+}

@@ -18,7 +18,7 @@ struct Tally {
 };
 
 Tally load_all(const fs::path& folder,
-               const std::set<std::string>& formats = {".gltf", ".glb", ".obj", ".ply"}) {
+               const std::set<std::string>& formats = {".gltf", ".glb", ".obj", ".ply", ".stl"}) {
     Tally tally;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file() || !formats.contains(entry.path().extension())) continue;
@@ -69,6 +69,12 @@ TEST_CASE("invalid files are refused or load as valid scenes") {
     const auto folder = test::find_asset("invalid");
     if (!folder) return;
     CHECK(load_all(*folder).refused >= 190);
+}
+
+TEST_CASE("our own odd files, among them what fuzzing found, are refused or load as valid scenes") {
+    const fs::path folder = fs::path(ONDE_SOURCE_DIR) / "tests" / "data";
+    const Tally tally = load_all(folder, {".gltf", ".glb", ".obj", ".ply", ".stl", ".toml"});
+    CHECK(tally.loaded >= 7);
 }
 
 TEST_CASE("a sample model has the triangles that its documentation counts") {

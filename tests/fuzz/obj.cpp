@@ -1,0 +1,7 @@
+// Fuzzes the reader of OBJ files.
+#include "fuzz/fuzz.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    onde::fuzz::load(onde::fuzz::write("a.obj", onde::fuzz::text(data, size)));
+    return 0;
+}

@@ -21,6 +21,11 @@ inline constexpr size_t MAX_VERTICES = size_t(1) << 28;
 /// About what a loader holds at its peak for a triangle, and for a vertex that others share.
 inline constexpr uint64_t TRIANGLE_BYTES = 32, VERTEX_BYTES = 128;
 
+/// The same for a polygon of that many corners, of which ears may have to be clipped.
+constexpr uint64_t polygon_bytes(uint64_t corners) {
+    return corners * (corners <= 4 ? TRIANGLE_BYTES : 160);
+}
+
 /// One mesh of all parts. Where some parts have normals, the others get one vertex per corner with
 /// the face's normal. Normals are made unit; zero ones are replaced by a face's normal, with a
 /// note. Triangles without area are kept, with a note.

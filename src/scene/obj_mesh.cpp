@@ -27,7 +27,7 @@ class PartBuilder {
         : file_(file), normals_(normals), cost_(cost) {}
 
     void add_face(std::span<const Corner> corners, uint32_t material) {
-        cost_.add(corners.size() * TRIANGLE_BYTES);
+        cost_.add(polygon_bytes(corners.size()));
         vertices_.clear();
         positions_.clear();
         for (const Corner& corner : corners) {

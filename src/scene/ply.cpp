@@ -209,7 +209,8 @@ void PlyReader::hide_bad_positions() {
 
 void PlyReader::read_polygon(const Property& list) {
     const uint64_t count = body_.length(list);
-    cost_.add(count * TRIANGLE_BYTES);
+    if (count > MAX_VERTICES) body_.fail(fmt::format("has {} corners; split it", count));
+    cost_.add(polygon_bytes(count));
     corners_.clear();
     for (uint64_t i = 0; i < count; ++i)
         corners_.push_back(body_.index(list.type, positions_.size(), "vertex"));

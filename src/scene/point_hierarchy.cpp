@@ -34,9 +34,9 @@ bool contains(const std::array<glm::dvec2, 3>& t, const glm::dvec2& p) {
 
 PointHierarchy::PointHierarchy(std::span<const glm::dvec2> points)
     : points_(points), order_(points.size()), positions_(points.size()), gone_(points.size(), 0) {
-    std::iota(order_.begin(), order_.end(), size_t(0));
+    std::iota(order_.begin(), order_.end(), 0u);
     build(0, 0, points.size());
-    for (size_t i = 0; i < order_.size(); ++i) positions_[order_[i]] = i;
+    for (uint32_t i = 0; i < order_.size(); ++i) positions_[order_[i]] = i;
 }
 
 void PointHierarchy::build(size_t node, size_t begin, size_t end) {
@@ -46,17 +46,17 @@ void PointHierarchy::build(size_t node, size_t begin, size_t end) {
         low = glm::min(low, points_[order_[i]]);
         high = glm::max(high, points_[order_[i]]);
     }
-    nodes_[node] = {low, high, end - begin};
+    nodes_[node] = {low, high, uint32_t(end - begin)};
     if (end - begin <= LEAF) return;
     const size_t middle = begin + (end - begin) / 2, axis = high.x - low.x < high.y - low.y;
     const auto at = [&](size_t i) { return order_.begin() + std::ptrdiff_t(i); };
     std::nth_element(at(begin), at(middle), at(end),
-                     [&](size_t a, size_t b) { return points_[a][axis] < points_[b][axis]; });
+                     [&](uint32_t a, uint32_t b) { return points_[a][axis] < points_[b][axis]; });
     build(2 * node + 1, begin, middle);
     build(2 * node + 2, middle, end);
 }
 
-void PointHierarchy::remove(size_t point) {
+void PointHierarchy::remove(uint32_t point) {
     const size_t position = positions_[point];
     gone_[position] = 1;
     size_t node = 0, begin = 0, end = points_.size();

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,7 @@ class PointHierarchy {
     /// `points` must outlive the hierarchy.
     explicit PointHierarchy(std::span<const glm::dvec2> points);
 
-    void remove(size_t point);
+    void remove(uint32_t point);
 
     /// Whether a point of the set lies in or on the triangle, which is counter-clockwise; points
     /// that equal one of its corners do not count.
@@ -29,7 +30,7 @@ class PointHierarchy {
   private:
     struct Node {
         glm::dvec2 low, high;
-        size_t count = 0; ///< of points that are left below it
+        uint32_t count = 0; ///< of points that are left below it
     };
 
     void build(size_t node, size_t begin, size_t end);
@@ -37,10 +38,10 @@ class PointHierarchy {
                 size_t end) const;
 
     std::span<const glm::dvec2> points_;
-    std::vector<size_t> order_;     ///< points, each node's a range
-    std::vector<size_t> positions_; ///< of each point in order_
-    std::vector<char> gone_;        ///< by position in order_
-    std::vector<Node> nodes_;       ///< the children of i are 2 i + 1 and 2 i + 2
+    std::vector<uint32_t> order_;     ///< points, each node's a range
+    std::vector<uint32_t> positions_; ///< of each point in order_
+    std::vector<char> gone_;          ///< by position in order_
+    std::vector<Node> nodes_;         ///< the children of i are 2 i + 1 and 2 i + 2
 };
 
 } // namespace onde

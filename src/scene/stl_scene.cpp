@@ -34,7 +34,7 @@ class FacetMesh {
             dropped_ = true;
             return notes.wrong("Facets with positions that are no finite numbers are left out");
         }
-        cost_.add(corners.size() * TRIANGLE_BYTES);
+        cost_.add(polygon_bytes(corners.size()));
         corners_.clear();
         for (const glm::dvec3& corner : corners) corners_.push_back(vertex(corner));
         for (const auto& [a, b, c] : triangulate(corners)) {

@@ -37,8 +37,8 @@ class EarClipper {
   public:
     explicit EarClipper(const std::vector<glm::dvec2>& polygon)
         : p_(polygon), points_(polygon), before_(polygon.size()), after_(polygon.size()) {
-        const size_t n = polygon.size();
-        for (size_t i = 0; i < n; ++i) {
+        const auto n = uint32_t(polygon.size());
+        for (uint32_t i = 0; i < n; ++i) {
             before_[i] = (i + n - 1) % n;
             after_[i] = (i + 1) % n;
         }
@@ -46,9 +46,9 @@ class EarClipper {
 
     /// Cuts until three corners are left or none is an ear; adds the triangles and returns the
     /// corners that are left, in their order.
-    std::vector<size_t> clip(std::vector<std::array<size_t, 3>>& triangles) {
-        std::vector<size_t> rest(p_.size());
-        std::iota(rest.begin(), rest.end(), size_t(0));
+    std::vector<uint32_t> clip(std::vector<std::array<uint32_t, 3>>& triangles) {
+        std::vector<uint32_t> rest(p_.size());
+        std::iota(rest.begin(), rest.end(), 0u);
         // Where a polygon touches or crosses itself, a cut far away may make an ear.
         for (size_t round = 0; round < MAX_ROUNDS && rest.size() > 3; ++round) {
             const size_t before = rest.size();
@@ -61,11 +61,12 @@ class EarClipper {
   private:
     static constexpr size_t MAX_ROUNDS = 8;
 
-    std::vector<size_t> clip_once(std::vector<size_t> candidates,
-                                  std::vector<std::array<size_t, 3>>& triangles) {
-        size_t left = candidates.size(), first = candidates[0];
+    std::vector<uint32_t> clip_once(std::vector<uint32_t> candidates,
+                                    std::vector<std::array<uint32_t, 3>>& triangles) {
+        size_t left = candidates.size();
+        uint32_t first = candidates[0];
         for (size_t next = 0; next < candidates.size() && left > 3; ++next) {
-            const size_t corner = candidates[next], a = before_[corner], b = after_[corner];
+            const uint32_t corner = candidates[next], a = before_[corner], b = after_[corner];
             if (a == corner || !is_ear(corner)) continue; // it is gone, or no ear
             triangles.push_back({a, corner, b});
             points_.remove(corner);
@@ -77,29 +78,29 @@ class EarClipper {
             candidates.push_back(a);
             candidates.push_back(b);
         }
-        std::vector<size_t> rest{first};
+        std::vector<uint32_t> rest{first};
         while (rest.size() < left) rest.push_back(after_[rest.back()]);
         return rest;
     }
 
-    bool is_ear(size_t corner) const {
+    bool is_ear(uint32_t corner) const {
         const std::array<glm::dvec2, 3> ear{p_[before_[corner]], p_[corner], p_[after_[corner]]};
         return turn(ear[0], ear[1], ear[2]) > 0.0 && !points_.any_in(ear);
     }
 
     const std::vector<glm::dvec2>& p_;
     PointHierarchy points_; ///< corners that are left
-    std::vector<size_t> before_, after_;
+    std::vector<uint32_t> before_, after_;
 };
 
 } // namespace
 
-std::vector<std::array<size_t, 3>> triangulate(std::span<const glm::dvec3> corners) {
-    std::vector<std::array<size_t, 3>> triangles;
+std::vector<std::array<uint32_t, 3>> triangulate(std::span<const glm::dvec3> corners) {
+    std::vector<std::array<uint32_t, 3>> triangles;
     if (corners.size() < 3) return triangles;
     triangles.reserve(corners.size() - 2);
-    std::vector<size_t> rest(corners.size());
-    std::iota(rest.begin(), rest.end(), size_t(0));
+    std::vector<uint32_t> rest(corners.size());
+    std::iota(rest.begin(), rest.end(), 0u);
     if (corners.size() > 3) {
         const std::vector<glm::dvec2> flat = project(corners);
         if (!is_convex(flat)) rest = EarClipper(flat).clip(triangles);

@@ -52,6 +52,32 @@ std::string from_utf16(std::string_view bytes, bool big_endian) {
     return text;
 }
 
+/// The bytes of the character that begins here, or 0 where that is not UTF-8.
+size_t utf8_length(std::string_view text) {
+    const auto byte = [&](size_t i) { return i < text.size() ? uint8_t(text[i]) : 0u; };
+    if (byte(0) < 0x80) return 1;
+    const size_t length = byte(0) < 0xc2 ? 0 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : 4;
+    if (byte(0) > 0xf4) return 0;
+    for (size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xc0) != 0x80) return 0;
+    return length;
+}
+
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const size_t length = utf8_length(text);
+        if (length == 0) return false;
+        text.remove_prefix(length);
+    }
+    return true;
+}
+
+std::string from_latin1(std::string_view bytes) {
+    std::string text;
+    for (const char c : bytes) append_utf8(text, uint8_t(c));
+    return text;
+}
+
 /// Of a number without sign that no double can hold: whether it is too small rather than too large.
 bool is_tiny(std::string_view word) {
     const size_t exponent = word.find_first_of("eE");
@@ -67,6 +93,7 @@ std::optional<std::string> decode(std::string bytes) {
     if (big || bytes.starts_with("\xff\xfe"))
         bytes = from_utf16(std::string_view(bytes).substr(2), big);
     if (bytes.find('\0') != std::string::npos) return std::nullopt;
+    if (!is_utf8(bytes)) return from_latin1(bytes);
     return bytes;
 }
 

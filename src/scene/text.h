@@ -10,7 +10,8 @@
 namespace onde::text {
 
 /// The bytes of a text file as UTF-8 without a byte-order mark: UTF-16 is converted where a mark
-/// says so. Nothing when they hold a zero byte, which no text does.
+/// says so, and what is not UTF-8 is taken as Latin-1. Nothing when they hold a zero byte, which no
+/// text does.
 std::optional<std::string> decode(std::string bytes);
 
 /// Without blanks at both ends.

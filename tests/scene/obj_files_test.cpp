@@ -80,6 +80,16 @@ TEST_CASE("byte-order marks and UTF-16 are read over") {
     CHECK(material_of(load(big)).base_color == RED_COLOR);
 }
 
+TEST_CASE("Latin-1 and UTF-8 name the same material") {
+    const std::string latin = "gr\xfcn", utf8 = "gr\xc3\xbcn";
+    for (const auto& [in_obj, in_mtl] : {std::pair(latin, utf8), {utf8, latin}, {latin, latin}}) {
+        const Scene scene = load("mtllib m.mtl\n" + SQUARE + "usemtl " + in_obj + "\n" + FACE,
+                                 "newmtl " + in_mtl + "\nKd 0.8 0.1 0.1\n");
+        CHECK(material_of(scene).base_color == RED_COLOR);
+        CHECK(material_of(scene).name == utf8);
+    }
+}
+
 TEST_CASE("usemtl may stand before mtllib, and faces before their vertices") {
     CHECK(material_of(load("usemtl a\n" + SQUARE + "mtllib m.mtl\n" + FACE)).base_color ==
           RED_COLOR);

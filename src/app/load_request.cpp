@@ -15,6 +15,14 @@ void declare_load(Command& command, LoadRequest& r) {
     command.option("--load-limit", &r.gibibytes,
                    "The most memory that loading may take (a quarter of the machine's)",
                    {.value = "GIB"});
+    command.option("--at", &r.options.at, "Second of a glTF file's animation (the rest pose)",
+                   {.value = "SECONDS"});
+    command.option("--animation", &r.options.animation,
+                   "Animation of a glTF file, by name or number (all that get along)");
+    command.option("--scene", &r.options.scene,
+                   "Scene of a glTF file, by name or number (its default)");
+    command.option("--variant", &r.options.variant,
+                   "Material variant of a glTF file, by name or number (none)");
 }
 
 LoadOptions load_options(const LoadRequest& request) {
@@ -25,6 +33,8 @@ LoadOptions load_options(const LoadRequest& request) {
                              *gibibytes);
         options.limit = uint64_t(*gibibytes * double(1 << 30));
     }
+    if (options.at && !std::isfinite(*options.at))
+        throw InputError("--at {} is not a number of seconds", *options.at);
     std::error_code error;
     if (!options.root.empty() && !std::filesystem::is_directory(options.root, error))
         throw InputError("--root {} is not a folder; name one that holds the scene",

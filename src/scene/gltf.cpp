@@ -1,4 +1,5 @@
 // glTF 2.0 (https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html) to a Scene.
+#include "scene/gltf_animation.h"
 #include "scene/gltf_scene.h"
 #include "scene/loaders.h"
 
@@ -8,10 +9,8 @@ Scene load_gltf(const std::filesystem::path& path, LoadContext& context) {
     gltf::File file = gltf::open_file(path, context);
     Scene scene;
     gltf::add_materials(file, scene);
-    gltf::add_meshes(file, scene);
+    gltf::animate_nodes(file);
     gltf::add_nodes(file, scene);
-    if (file.document.animated) file.notes.add("Animations are ignored: the rest pose");
-    if (file.document.skinned) file.notes.add("Skins are ignored: the rest pose");
     scene.notes = file.notes.sentences();
     return scene;
 }

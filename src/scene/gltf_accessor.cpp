@@ -4,7 +4,7 @@
 #include "scene/gltf_file.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstring>
 
 namespace onde::gltf {
@@ -74,6 +74,11 @@ float load_float(const uint8_t* bytes, ComponentType type, bool normalized) {
     }
 }
 
+uint32_t load_unsigned(const uint8_t* bytes, size_t size) {
+    if (size == 1) return load<uint8_t>(bytes);
+    return size == 2 ? load<uint16_t>(bytes) : load<uint32_t>(bytes);
+}
+
 /// Components as floats or as unsigned integers, whatever T is.
 template <class T>
 struct Decode;
@@ -90,11 +95,39 @@ struct Decode<glm::vec<N, float, glm::defaultp>> {
 };
 
 template <>
+struct Decode<glm::uvec4> {
+    static constexpr size_t COMPONENTS = 4;
+    static glm::uvec4 element(const uint8_t* bytes, ComponentType, bool, size_t size) {
+        glm::uvec4 value;
+        for (size_t c = 0; c < 4; ++c) value[c] = load_unsigned(bytes + c * size, size);
+        return value;
+    }
+};
+
+template <>
+struct Decode<std::array<float, 16>> {
+    static constexpr size_t COMPONENTS = 16;
+    static std::array<float, 16> element(const uint8_t* bytes, ComponentType type, bool normalized,
+                                         size_t size) {
+        std::array<float, 16> value;
+        for (size_t c = 0; c < 16; ++c) value[c] = load_float(bytes + c * size, type, normalized);
+        return value;
+    }
+};
+
+template <>
+struct Decode<float> {
+    static constexpr size_t COMPONENTS = 1;
+    static float element(const uint8_t* bytes, ComponentType type, bool normalized, size_t) {
+        return load_float(bytes, type, normalized);
+    }
+};
+
+template <>
 struct Decode<uint32_t> {
     static constexpr size_t COMPONENTS = 1;
     static uint32_t element(const uint8_t* bytes, ComponentType, bool, size_t size) {
-        if (size == 1) return load<uint8_t>(bytes);
-        return size == 2 ? load<uint16_t>(bytes) : load<uint32_t>(bytes);
+        return load_unsigned(bytes, size);
     }
 };
 
@@ -156,22 +189,11 @@ std::vector<T> read(const File& file, uint32_t index, const std::string& user) {
         data =
             window(file, *accessor.view, accessor.offset, accessor.count, size * COMPONENTS, user);
     file.context.spend(accessor.count, sizeof(T), file.where(user));
-    std::vector<T> values(accessor.count, T(0));
+    std::vector<T> values(accessor.count, T{});
     if (data.first)
         for (size_t i = 0; i < values.size(); ++i)
             values[i] = Decode<T>::element(data[i], accessor.type, accessor.normalized, size);
     if (accessor.sparse) apply_sparse(file, accessor, user, values);
-    return values;
-}
-
-template <class T>
-std::vector<T> read_finite(const File& file, uint32_t index, const std::string& user) {
-    std::vector<T> values = read<T>(file, index, user);
-    for (size_t i = 0; i < values.size(); ++i)
-        for (size_t c = 0; c < Decode<T>::COMPONENTS; ++c)
-            if (!std::isfinite(values[i][c]))
-                throw InputError("{}: {}: element {} is not finite; export it again", file.name,
-                                 user, i);
     return values;
 }
 
@@ -200,11 +222,39 @@ std::span<const uint8_t> view_bytes(const File& file, uint32_t index, const std:
 }
 
 std::vector<glm::vec2> read_vec2(const File& file, uint32_t accessor, const std::string& user) {
-    return read_finite<glm::vec2>(file, accessor, user);
+    return read<glm::vec2>(file, accessor, user);
 }
 
 std::vector<glm::vec3> read_vec3(const File& file, uint32_t accessor, const std::string& user) {
-    return read_finite<glm::vec3>(file, accessor, user);
+    return read<glm::vec3>(file, accessor, user);
+}
+
+template <class T>
+static std::vector<float> flattened(const std::vector<T>& values) {
+    std::vector<float> floats(values.size() * sizeof(T) / sizeof(float));
+    std::memcpy(floats.data(), values.data(), floats.size() * sizeof(float));
+    return floats;
+}
+
+std::vector<float> read_floats(const File& file, uint32_t accessor, uint32_t components,
+                               const std::string& user) {
+    switch (components) {
+    case 1:
+        return read<float>(file, accessor, user);
+    case 3:
+        return flattened(read<glm::vec3>(file, accessor, user));
+    case 4:
+        return flattened(read<glm::vec4>(file, accessor, user));
+    default:
+        return flattened(read<std::array<float, 16>>(file, accessor, user));
+    }
+}
+
+std::vector<glm::uvec4> read_uvec4(const File& file, uint32_t accessor, const std::string& user) {
+    if (!is_unsigned(accessor_at(file, accessor, user).type))
+        throw InputError("{}: {}: it does not hold unsigned integers; export it again", file.name,
+                         user);
+    return read<glm::uvec4>(file, accessor, user);
 }
 
 std::vector<uint32_t> read_indices(const File& file, uint32_t accessor, const std::string& user) {

@@ -88,12 +88,18 @@ struct Draco {
     Attributes attributes; ///< names to identifiers in the compressed data
 };
 
+/// The material of a primitive in one of the file's variants (KHR_materials_variants).
+struct VariantMaterial {
+    uint32_t variant = 0, material = 0;
+};
+
 struct Primitive {
     Attributes attributes;
     Index indices, material;
     uint32_t mode = 4;
     std::vector<Attributes> targets;
     std::optional<Draco> draco;
+    std::vector<VariantMaterial> variants;
 };
 
 struct MeshSource {
@@ -110,6 +116,35 @@ struct Node {
     std::array<double, 3> translation{0, 0, 0}, scale{1, 1, 1};
     std::array<double, 4> rotation{0, 0, 0, 1}; ///< a quaternion x, y, z, w
     std::vector<double> weights;                ///< of the mesh's morph targets, over its own
+    std::optional<Attributes> instancing;       ///< EXT_mesh_gpu_instancing
+};
+
+struct Skin {
+    std::string name;
+    std::vector<uint32_t> joints; ///< nodes
+    Index inverse_bind_matrices;  ///< accessor; without one, identities
+};
+
+enum class Interpolation { linear, step, cubic_spline };
+
+struct AnimationSampler {
+    uint32_t input = 0, output = 0; ///< accessors: times, values
+    Interpolation interpolation = Interpolation::linear;
+};
+
+enum class AnimatedPath { translation, rotation, scale, weights, pointer };
+
+/// What a sampler moves.
+struct Channel {
+    uint32_t sampler = 0;
+    Index node; ///< without one, the channel is to be ignored
+    AnimatedPath path = AnimatedPath::translation;
+};
+
+struct Animation {
+    std::string name;
+    std::vector<AnimationSampler> samplers;
+    std::vector<Channel> channels;
 };
 
 struct CameraSource {
@@ -145,7 +180,9 @@ struct Document {
     std::vector<LightSource> lights;
     std::vector<SceneSource> scenes;
     Index scene; ///< the default one
-    bool animated = false, skinned = false;
+    std::vector<Skin> skins;
+    std::vector<Animation> animations;
+    std::vector<std::string> variants; ///< their names
 };
 
 /// Reads the root of a glTF file, which must outlive the document's readers. Throws InputError as

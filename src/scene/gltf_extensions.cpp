@@ -6,6 +6,7 @@
 namespace onde::gltf {
 
 static constexpr std::array EXTENSIONS{
+    Extension{"EXT_mesh_gpu_instancing", Support::read},
     Extension{"EXT_meshopt_compression", Support::read},
     Extension{"KHR_animation_pointer", Support::ignored},
     Extension{"KHR_draco_mesh_compression", Support::read},
@@ -13,6 +14,7 @@ static constexpr std::array EXTENSIONS{
     Extension{"KHR_materials_emissive_strength", Support::read},
     Extension{"KHR_materials_ior", Support::read},
     Extension{"KHR_materials_transmission", Support::mapped},
+    Extension{"KHR_materials_variants", Support::read},
     Extension{"KHR_mesh_quantization", Support::read},
     Extension{"KHR_meshopt_compression", Support::read},
     Extension{"KHR_texture_transform", Support::none},

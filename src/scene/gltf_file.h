@@ -72,9 +72,16 @@ std::span<const uint8_t> range_of(const File& file, const BufferView& view, uint
 std::span<const uint8_t> view_bytes(const File& file, uint32_t view, const std::string& user);
 
 /// The floats of an accessor with that many components, integers normalised where it says so,
-/// sparse values applied; all finite. `user` names what asks, as in "mesh 0 POSITION".
+/// sparse values applied; they may not be finite. `user` names what asks, as in "mesh 0 POSITION".
 std::vector<glm::vec2> read_vec2(const File& file, uint32_t accessor, const std::string& user);
 std::vector<glm::vec3> read_vec3(const File& file, uint32_t accessor, const std::string& user);
+
+/// The same for any number of components, one element after the other.
+std::vector<float> read_floats(const File& file, uint32_t accessor, uint32_t components,
+                               const std::string& user);
+
+/// The unsigned integers of an accessor of four components, for joints.
+std::vector<glm::uvec4> read_uvec4(const File& file, uint32_t accessor, const std::string& user);
 
 /// The unsigned integers of a scalar accessor.
 std::vector<uint32_t> read_indices(const File& file, uint32_t accessor, const std::string& user);

@@ -1,8 +1,11 @@
 // Meshes of glTF (section 3.7): the primitives of a mesh become one Mesh.
 #include "core/error.h"
+#include "core/shown.h"
+#include "scene/gltf_choice.h"
 #include "scene/gltf_draco.h"
 #include "scene/gltf_scene.h"
 #include "scene/mesh_parts.h"
+#include "scene/part_repair.h"
 
 #include <fmt/format.h>
 
@@ -65,11 +68,10 @@ void note_ignored(File& file, const Primitive& primitive, const std::string& use
         file.notes.add("Tangents are ignored: they follow from the texture coordinates", user);
     if (attribute(primitive, "TEXCOORD_1"))
         file.notes.add("A second set of texture coordinates is ignored", user);
-    if (!primitive.targets.empty()) file.notes.add("Morph targets are ignored", user);
 }
 
 MeshPart convert(File& file, const Primitive& primitive, uint32_t default_material,
-                 const std::string& user) {
+                 const Pose& pose, const std::string& user) {
     MeshPart part;
     decode_draco(file, primitive, user);
     part.positions = read_vec3(file, *attribute(primitive, "POSITION"), user + " POSITION");
@@ -80,6 +82,7 @@ MeshPart convert(File& file, const Primitive& primitive, uint32_t default_materi
         part.uvs = read_vec2(file, *uvs, user + " TEXCOORD_0");
     check_count(file, user + " NORMAL", part.normals.size(), vertices);
     check_count(file, user + " TEXCOORD_0", part.uvs.size(), vertices);
+    pose_part(file, primitive, pose, user, part);
     part.triangles = assemble(vertex_order(file, primitive, vertices, user), primitive.mode);
     uint32_t material = default_material;
     if (primitive.material) {
@@ -87,37 +90,90 @@ MeshPart convert(File& file, const Primitive& primitive, uint32_t default_materi
         material = *primitive.material;
     }
     part.materials.assign(part.triangles.size(), material);
+    repair_part(part, user, file.notes);
     note_ignored(file, primitive, user);
     return part;
 }
 
+/// The material in a variant, or the primitive's own.
+Index material_of(const Primitive& primitive, Index variant) {
+    for (const VariantMaterial& mapping : primitive.variants)
+        if (variant && mapping.variant == *variant) return mapping.material;
+    return primitive.material;
+}
+
+std::string text_of(const Attributes& attributes) {
+    std::string text = "{";
+    for (const auto& [name, accessor] : attributes) text += fmt::format("{}:{} ", name, accessor);
+    return text + "}";
+}
+
+/// A text that is the same for meshes that are built from the same data in the same way.
+std::string text_of(const MeshSource& mesh, Index variant, const std::vector<double>& weights,
+                    Index skin) {
+    const auto number = [](Index index) { return index ? int64_t(*index) : -1; };
+    std::string text = fmt::format("skin {}", number(skin));
+    for (double weight : weights) text += fmt::format(" {}", weight);
+    for (const Primitive& primitive : mesh.primitives) {
+        text += fmt::format(" mode {} indices {} material {} {}", primitive.mode,
+                            number(primitive.indices), number(material_of(primitive, variant)),
+                            text_of(primitive.attributes));
+        for (const Attributes& target : primitive.targets) text += text_of(target);
+        if (primitive.draco)
+            text += fmt::format(" draco {} {}", primitive.draco->view,
+                                text_of(primitive.draco->attributes));
+    }
+    return text;
+}
+
 } // namespace
 
-void add_meshes(File& file, Scene& scene) {
-    const uint32_t default_material = uint32_t(scene.materials.size() - 1);
-    size_t vertices = 0;
-    for (size_t m = 0; m < file.document.meshes.size(); ++m) {
-        const MeshSource& source = file.document.meshes[m];
-        std::vector<MeshPart> parts;
-        for (size_t p = 0; p < source.primitives.size(); ++p) {
-            const std::string user = fmt::format("mesh {} primitive {}", m, p);
-            if (source.primitives[p].mode < TRIANGLES) {
-                file.notes.add("Points and lines are skipped", user);
-                continue;
-            }
-            if (!attribute(source.primitives[p], "POSITION")) {
-                file.notes.add("Primitives without POSITION are skipped", user);
-                continue;
-            }
-            parts.push_back(convert(file, source.primitives[p], default_material, user));
-            vertices += parts.back().positions.size() + parts.back().triangles.size();
-            if (vertices > MAX_VERTICES)
-                throw InputError("{}: more than {} vertices and triangles; split the scene",
-                                 file.name, MAX_VERTICES);
+MeshLoader::MeshLoader(File& file, Scene& scene) : file_(file), scene_(scene) {
+    const std::vector<std::string>& variants = file.document.variants;
+    const std::string& word = file.context.options().variant;
+    if (!word.empty())
+        variant_ = uint32_t(choose(file, variants, word, "--variant", "material variant"));
+    else if (!variants.empty())
+        file.notes.add("Material variants are there; --variant chooses one", names_of(variants));
+}
+
+Index MeshLoader::load(uint32_t mesh, const Pose& pose, Index skin, const std::string& user) {
+    const MeshSource& source = at(file_, file_.document.meshes, mesh, "mesh", user);
+    const std::vector<double>& weights = pose.weights.empty() ? source.weights : pose.weights;
+    const auto [found, is_new] = loaded_.try_emplace({mesh, weights, skin}, std::nullopt);
+    if (!is_new) return found->second;
+    const auto [same, is_first] =
+        equal_.try_emplace(text_of(source, variant_, weights, skin), std::nullopt);
+    if (is_first) same->second = build(source, mesh, {weights, pose.joints});
+    return found->second = same->second;
+}
+
+Index MeshLoader::build(const MeshSource& source, uint32_t mesh, const Pose& pose) {
+    const uint32_t default_material = uint32_t(file_.document.materials.size());
+    std::vector<MeshPart> parts;
+    for (size_t p = 0; p < source.primitives.size(); ++p) {
+        const std::string user = fmt::format("mesh {} primitive {}", mesh, p);
+        Primitive primitive = source.primitives[p];
+        if (primitive.mode < TRIANGLES) {
+            file_.notes.add("Points and lines are skipped", user);
+            continue;
         }
-        const std::string name = source.name.empty() ? fmt::format("mesh {}", m) : source.name;
-        scene.meshes.push_back(join_parts(name, std::move(parts), file.notes));
+        if (!attribute(primitive, "POSITION")) {
+            file_.notes.add("Primitives without POSITION are skipped", user);
+            continue;
+        }
+        primitive.material = material_of(primitive, variant_);
+        parts.push_back(convert(file_, primitive, default_material, pose, user));
+        vertices_ += parts.back().positions.size() + parts.back().triangles.size();
+        if (vertices_ > MAX_VERTICES)
+            throw InputError("{}: more than {} vertices and triangles; split the scene", file_.name,
+                             MAX_VERTICES);
     }
+    const std::string name = source.name.empty() ? fmt::format("mesh {}", mesh) : source.name;
+    Mesh joined = join_parts(shown(name), std::move(parts), file_.notes);
+    if (joined.triangles.empty()) return std::nullopt;
+    scene_.meshes.push_back(std::move(joined));
+    return uint32_t(scene_.meshes.size() - 1);
 }
 
 } // namespace onde::gltf

@@ -1,14 +1,14 @@
 // The node tree of glTF (section 3.5): where meshes, cameras and lights stand.
 #include "core/error.h"
+#include "scene/gltf_choice.h"
 #include "scene/gltf_scene.h"
 #include "scene/merge.h"
 
 #include <fmt/format.h>
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace onde::gltf {
@@ -28,35 +28,12 @@ bool finite(const glm::dmat4& m) {
     return std::all_of(&m[0][0], &m[0][0] + 16, [](double x) { return std::isfinite(float(x)); });
 }
 
-/// A row of 0, 0, 0, 1 but for rounding.
-bool is_affine(const std::array<double, 16>& m) {
-    constexpr double ROUNDING = 1e-4;
-    return std::abs(m[3]) <= ROUNDING && std::abs(m[7]) <= ROUNDING &&
-           std::abs(m[11]) <= ROUNDING && std::abs(m[15] - 1.0) <= ROUNDING;
-}
-
-glm::dmat4 local_transform(const File& file, const Node& node, const std::string& user) {
-    glm::dmat4 m(1.0);
-    if (node.matrix) {
-        if (!is_affine(*node.matrix))
-            throw InputError("{}: {}: its matrix is not affine; export it again", file.name, user);
-        for (size_t i = 0; i < 16; ++i)
-            if (i % 4 < 3) m[i / 4][i % 4] = (*node.matrix)[i];
-        return m;
-    }
-    const auto& [t, r, s] = std::tie(node.translation, node.rotation, node.scale);
-    m = glm::translate(m, glm::dvec3(t[0], t[1], t[2]));
-    const glm::dquat rotation(r[3], r[0], r[1], r[2]);
-    if (!(glm::length(rotation) > 1e-12))
-        throw InputError("{}: {}: its rotation is no quaternion; export it again", file.name, user);
-    return glm::scale(m * glm::mat4_cast(glm::normalize(rotation)), glm::dvec3(s[0], s[1], s[2]));
-}
-
-/// Traversals the tree without recursion, so that a chain of a million nodes is only refused.
+/// Traverses the tree without recursion, so that a chain of a million nodes is only refused.
 class NodeTraversal {
   public:
     NodeTraversal(File& file, Scene& scene)
-        : file_(file), scene_(scene), visited_(file.document.nodes.size(), false) {}
+        : file_(file), scene_(scene), meshes_(file, scene),
+          visited_(file.document.nodes.size(), false) {}
 
     void traverse(const std::vector<uint32_t>& roots) {
         push(roots, glm::dmat4(1.0), 0, "scene");
@@ -78,12 +55,19 @@ class NodeTraversal {
     }
 
     void enter(const Visit& visit);
+    void add_mesh(const Node& node, const glm::dmat4& to_world, const std::string& user);
+    void add_skinned(const Node& node, const std::string& user);
+    void add_copies(const Node& node, uint32_t mesh, const glm::dmat4& to_world,
+                    const std::string& user);
     void add_instance(uint32_t mesh, const glm::mat4& to_world, const std::string& user);
     void add_camera(uint32_t camera, const glm::mat4& to_world, const std::string& user);
     void add_light(uint32_t light, const glm::mat4& to_world, const std::string& user);
 
     File& file_;
     Scene& scene_;
+    MeshLoader meshes_;
+    std::optional<NodeWorlds> worlds_;                   ///< where skins need them
+    std::map<uint32_t, std::vector<glm::dmat4>> joints_; ///< matrices, by skin
     std::vector<bool> visited_;
     std::vector<Visit> stack_;
 };
@@ -102,10 +86,17 @@ void NodeTraversal::enter(const Visit& visit) {
     const glm::dmat4 to_world = visit.parent_to_world * local_transform(file_, node, user);
     if (!finite(to_world))
         throw InputError("{}: {}: its transform is not finite; export it again", file_.name, user);
-    if (node.mesh) add_instance(*node.mesh, glm::mat4(to_world), user);
+    if (node.mesh) add_mesh(node, to_world, user);
     if (node.camera) add_camera(*node.camera, glm::mat4(to_world), user);
     if (node.light) add_light(*node.light, glm::mat4(to_world), user);
     push(node.children, to_world, visit.depth + 1, user);
+}
+
+bool has_joints(const MeshSource& mesh) {
+    return std::ranges::any_of(mesh.primitives, [](const Primitive& primitive) {
+        return primitive.attributes.contains("JOINTS_0") &&
+               primitive.attributes.contains("WEIGHTS_0");
+    });
 }
 
 /// Whether a transform flattens space, as exporters do to hide an object.
@@ -115,15 +106,69 @@ bool is_flat(const glm::mat4& m) {
                                                        [](float x) { return std::isfinite(x); });
 }
 
+void NodeTraversal::add_mesh(const Node& node, const glm::dmat4& to_world,
+                             const std::string& user) {
+    const MeshSource& source = at(file_, file_.document.meshes, *node.mesh, "mesh", user);
+    if (node.skin && has_joints(source)) return add_skinned(node, user);
+    if (node.skin)
+        file_.notes.wrong("Skins of meshes without joints and weights are ignored", user);
+    const Index mesh = meshes_.load(*node.mesh, {node.weights}, std::nullopt, user);
+    if (!mesh) return;
+    if (node.instancing)
+        add_copies(node, *mesh, to_world, user);
+    else
+        add_instance(*mesh, glm::mat4(to_world), user);
+}
+
+/// The joints place such a mesh, not the node (section 3.7.3.3).
+void NodeTraversal::add_skinned(const Node& node, const std::string& user) {
+    at(file_, file_.document.skins, *node.skin, "skin", user);
+    if (!worlds_) worlds_.emplace(file_);
+    const auto [joints, is_new] = joints_.try_emplace(*node.skin);
+    if (is_new) joints->second = joint_matrices(file_, *node.skin, *worlds_);
+    const Index mesh = meshes_.load(*node.mesh, {node.weights, joints->second}, node.skin, user);
+    if (mesh) add_instance(*mesh, glm::mat4(1.0f), user);
+}
+
+/// The copies of EXT_mesh_gpu_instancing, each with a transform of its own before the node's.
+void NodeTraversal::add_copies(const Node& node, uint32_t mesh, const glm::dmat4& to_world,
+                               const std::string& user) {
+    std::optional<size_t> count;
+    const auto read = [&](const char* name, uint32_t components) {
+        const auto accessor = node.instancing->find(name);
+        if (accessor == node.instancing->end()) return std::vector<float>();
+        const std::string what = user + " " + name;
+        std::vector<float> values = read_floats(file_, accessor->second, components, what);
+        if (count.value_or(values.size() / components) != values.size() / components)
+            throw InputError("{}: {}: it has {} elements where another has {}; export it again",
+                             file_.name, what, values.size() / components, *count);
+        count = values.size() / components;
+        return values;
+    };
+    const std::vector<float> moves = read("TRANSLATION", 3), turns = read("ROTATION", 4),
+                             scales = read("SCALE", 3);
+    for (size_t i = 0; i < count.value_or(0); ++i) {
+        Node copy;
+        for (size_t c = 0; c < 3 && !moves.empty(); ++c) copy.translation[c] = moves[3 * i + c];
+        for (size_t c = 0; c < 4 && !turns.empty(); ++c) copy.rotation[c] = turns[4 * i + c];
+        for (size_t c = 0; c < 3 && !scales.empty(); ++c) copy.scale[c] = scales[3 * i + c];
+        const glm::dmat4 placed = to_world * local_transform(file_, copy, user);
+        if (finite(placed))
+            add_instance(mesh, glm::mat4(placed), user);
+        else
+            file_.notes.wrong("Instances whose transform is not finite are skipped", user);
+    }
+}
+
 void NodeTraversal::add_instance(uint32_t mesh, const glm::mat4& to_world,
                                  const std::string& user) {
-    at(file_, file_.document.meshes, mesh, "mesh", user);
     if (is_flat(to_world)) {
         file_.notes.add("Objects scaled to nothing are skipped", user);
-    } else if (!scene_.meshes[mesh].triangles.empty()) {
-        file_.context.spend(1, sizeof(Instance), file_.where(user));
-        scene_.instances.push_back({mesh, to_world});
+        return;
     }
+    // With the box and the record that upload and tree need for each.
+    file_.context.spend(1, 4 * sizeof(Instance), file_.where(user));
+    scene_.instances.push_back({mesh, to_world});
 }
 
 void NodeTraversal::add_camera(uint32_t index, const glm::mat4& to_world, const std::string& user) {
@@ -186,9 +231,14 @@ void add_nodes(File& file, Scene& scene) {
     const Document& document = file.document;
     NodeTraversal nodes(file, scene);
     if (document.scenes.empty()) return nodes.traverse(roots_of(file));
-    const uint32_t index = document.scene.value_or(0);
+    const std::string& word = file.context.options().scene;
+    const uint32_t index = word.empty()
+                               ? document.scene.value_or(0)
+                               : uint32_t(choose(file, document.scenes, word, "--scene", "scene"));
     nodes.traverse(at(file, document.scenes, index, "scene", "the default scene").nodes);
-    if (document.scenes.size() > 1) file.notes.add("Only the default scene is loaded");
+    if (document.scenes.size() > 1 && word.empty())
+        file.notes.add("Only the default scene is loaded; --scene chooses another",
+                       names_of(document.scenes));
 }
 
 } // namespace onde::gltf

@@ -1,264 +1,49 @@
-// PLY, the Stanford triangle format: vertices with normals and texture coordinates, polygons,
-// strips. Header and values are read by ply_header and ply_body; here they become a mesh.
+// PLY, the Stanford triangle format. Header, values and mesh are read by ply_header, ply_body and
+// ply_mesh; here they become a scene.
 #include "core/error.h"
+#include "scene/find_file.h"
 #include "scene/loaders.h"
-#include "scene/mesh_parts.h"
-#include "scene/ply_body.h"
-#include "scene/triangulate.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
+#include "scene/ply_mesh.h"
+#include "scene/references.h"
 
 namespace onde {
 namespace fs = std::filesystem;
 
-namespace {
-
-using ply::Body, ply::Element, ply::Header, ply::Property;
-
-/// The numbers of a vertex that we use. Those of colours are read over until meshes have colours.
-enum Slot { X, Y, Z, NX, NY, NZ, U, V, R, G, B, UNUSED };
-
-Slot slot_of(const Property& property) {
-    constexpr std::pair<std::string_view, Slot> SLOTS[] = {
-        {"x", X},         {"y", Y},         {"z", Z},         {"nx", NX},       {"ny", NY},
-        {"nz", NZ},       {"u", U},         {"v", V},         {"s", U},         {"t", V},
-        {"texture_u", U}, {"texture_v", V}, {"texture_s", U}, {"texture_t", V}, {"red", R},
-        {"green", G},     {"blue", B}};
-    if (property.count_type) return UNUSED;
-    for (const auto& [name, slot] : SLOTS)
-        if (name == property.name) return slot;
-    return UNUSED;
-}
-
-bool is_finite(std::initializer_list<double> numbers) {
-    return std::ranges::all_of(numbers, [](double x) { return std::isfinite(float(x)); });
-}
-
-constexpr const char* OTHERS =
-    "Other properties than positions, normals, texture coordinates and polygons are ignored";
-
-bool is_corner_list(const Property& property) {
-    return property.count_type &&
-           (property.name == "vertex_indices" || property.name == "vertex_index");
-}
-
-/// Reads the file's elements in their order.
-class PlyReader {
-  public:
-    PlyReader(const std::string& name, const std::string& file, Notes notes, LoadContext& context)
-        : name_(name), header_(ply::read_header(name, file)),
-          body_(name_, std::string_view(file).substr(header_.size), header_.encoding),
-          notes_(std::move(notes)), context_(context), cost_(context, name) {}
-
-    Mesh read(const std::string& mesh_name) {
-        check_elements();
-        for (const Element& element : header_.elements)
-            if (element.name == "vertex")
-                read_vertices(element);
-            else if (element.name == "face")
-                read_faces(element, &PlyReader::read_polygon);
-            else if (element.name == "tristrips")
-                read_faces(element, &PlyReader::read_strip);
-            else
-                skip(element);
-        if (part_.triangles.empty() && dropped_)
-            throw InputError("{}: all faces have positions that are no finite numbers; export it "
-                             "again",
-                             name_);
-        part_.materials.assign(part_.triangles.size(), 0);
-        // Up to here positions are doubles: what recentres them subtracts the centre here.
-        part_.positions.assign(positions_.begin(), positions_.end());
-        hide_bad_positions();
-        std::vector<MeshPart> parts;
-        parts.push_back(std::move(part_));
-        return join_parts(mesh_name, std::move(parts), notes_);
+/// Diffuse grey, or the picture that the header names.
+static Material material_of(const ply::Header& header, const fs::path& path, Scene& scene,
+                            Notes& notes, LoadContext& context) {
+    Material material;
+    material.name = "default";
+    if (header.texture.empty()) return material;
+    FileFinder files(path.has_parent_path() ? path.parent_path() : fs::path("."), context);
+    const auto found = files.find(header.texture);
+    if (!found) {
+        notes.wrong(files.may_use(header.texture)
+                        ? "Textures that are missing are left out"
+                        : "Textures outside of the scene's folder are not allowed and left out",
+                    header.texture);
+        return material;
     }
-
-    std::vector<std::string> notes() const { return notes_.sentences(); }
-
-  private:
-    void check_elements() const;
-    void read_vertices(const Element& element);
-    using ListReader = void (PlyReader::*)(const Property&);
-    void read_faces(const Element& element, ListReader read_list);
-    void read_polygon(const Property& list);
-    void read_strip(const Property& list);
-    void add_vertex(const std::array<double, UNUSED>& vertex, const std::array<bool, UNUSED>& has);
-    bool usable(std::span<const uint32_t> corners);
-    void hide_bad_positions();
-    void skip(const Element& element);
-
-    const std::string& name_;
-    Header header_;
-    Body body_;
-    Notes notes_;
-    LoadContext& context_;
-    GradualSpending cost_;
-    MeshPart part_;
-    std::vector<glm::dvec3> positions_;
-    bool bad_positions_ = false;      ///< whether some are no finite numbers
-    bool dropped_ = false;            ///< whether a face was left out because of them
-    std::vector<uint32_t> corners_;   ///< of the face being read
-    std::vector<glm::dvec3> outline_; ///< positions of these corners
-};
-
-void PlyReader::check_elements() const {
-    const auto named = [&](const char* name) {
-        const auto& all = header_.elements;
-        return std::ranges::find(all, name, &Element::name) - all.begin();
-    };
-    const auto vertex = size_t(named("vertex"));
-    const auto faces = std::min(size_t(named("face")), size_t(named("tristrips")));
-    if (std::max(vertex, faces) >= header_.elements.size())
-        throw InputError("{}: its header lists no vertices or no faces, so there is no surface; "
-                         "export the mesh with polygons",
-                         name_);
-    if (faces < vertex)
-        throw InputError("{}: its faces come before its vertices; export it again", name_);
-    if (header_.elements[vertex].count > MAX_VERTICES)
-        throw InputError("{}: more than {} vertices; split the file", name_, MAX_VERTICES);
-    for (const Element& element : header_.elements) {
-        if (element.name != "face" && element.name != "tristrips") continue;
-        const auto list = std::ranges::find_if(element.properties, is_corner_list);
-        if (list == element.properties.end() || list->type >= ply::Type::float32)
-            throw InputError("{}: its faces have no list 'vertex_indices' of integers; export it "
-                             "again",
-                             name_);
+    try {
+        material.base_color_texture =
+            add_texture_file(scene, context, files.folder(), *found, {}, path.string());
+        material.base_color = glm::vec3(1.0f);
+    } catch (const InputError&) {
+        notes.wrong("Textures that can't be read are left out", header.texture);
     }
+    return material;
 }
-
-void PlyReader::read_vertices(const Element& element) {
-    std::array<bool, UNUSED> has{};
-    std::vector<Slot> slots;
-    for (const Property& property : element.properties) {
-        slots.push_back(slot_of(property));
-        if (slots.back() != UNUSED)
-            has[slots.back()] = true;
-        else
-            notes_.add(OTHERS, property.name);
-    }
-    if (!has[X] || !has[Y] || !has[Z])
-        throw InputError("{}: its vertices have no x, y and z; export it again", name_);
-    if (has[R] || has[G] || has[B]) notes_.add("Vertex colours are ignored");
-    body_.begin(element);
-    context_.spend(element.count, VERTEX_BYTES, name_);
-    positions_.reserve(element.count);
-    std::array<double, UNUSED> vertex{};
-    for (uint64_t row = 0; row < element.count; ++row) {
-        body_.begin_row(row);
-        for (size_t i = 0; i < slots.size(); ++i)
-            if (slots[i] == UNUSED)
-                body_.skip(element.properties[i]);
-            else
-                vertex[slots[i]] = body_.number(element.properties[i]);
-        add_vertex(vertex, has);
-    }
-}
-
-void PlyReader::add_vertex(const std::array<double, UNUSED>& vertex,
-                           const std::array<bool, UNUSED>& has) {
-    positions_.emplace_back(vertex[X], vertex[Y], vertex[Z]);
-    bad_positions_ |= !is_finite({vertex[X], vertex[Y], vertex[Z]});
-    if (has[NX] && has[NY] && has[NZ]) {
-        const bool good = is_finite({vertex[NX], vertex[NY], vertex[NZ]});
-        if (!good) notes_.wrong("Normals that are no finite numbers are replaced by face normals");
-        part_.normals.emplace_back(good ? glm::vec3(vertex[NX], vertex[NY], vertex[NZ])
-                                        : glm::vec3(0.0f));
-    }
-    if (has[U] && has[V]) {
-        const bool good = is_finite({vertex[U], vertex[V]});
-        if (!good) notes_.wrong("Texture coordinates that are no finite numbers become 0");
-        part_.uvs.emplace_back(good ? glm::vec2(vertex[U], 1.0 - vertex[V]) : glm::vec2(0.0f));
-    }
-}
-
-void PlyReader::read_faces(const Element& element, ListReader read_list) {
-    body_.begin(element);
-    for (uint64_t row = 0; row < element.count; ++row) {
-        body_.begin_row(row);
-        for (const Property& property : element.properties)
-            if (is_corner_list(property))
-                (this->*read_list)(property);
-            else
-                body_.skip(property);
-    }
-}
-
-/// Whether all positions of the corners are finite; adds a note where they are not.
-bool PlyReader::usable(std::span<const uint32_t> corners) {
-    if (!bad_positions_) return true;
-    const bool good = std::ranges::all_of(corners, [&](uint32_t corner) {
-        const glm::dvec3& p = positions_[corner];
-        return is_finite({p.x, p.y, p.z});
-    });
-    dropped_ |= !good;
-    if (!good) notes_.wrong("Faces with positions that are no finite numbers are left out");
-    return good;
-}
-
-/// Bad positions, which no triangle uses now, become one that is used.
-void PlyReader::hide_bad_positions() {
-    if (!bad_positions_ || part_.triangles.empty()) return;
-    const glm::vec3 used = part_.positions[part_.triangles[0].x];
-    for (glm::vec3& p : part_.positions)
-        if (!is_finite({p.x, p.y, p.z})) p = used;
-}
-
-void PlyReader::read_polygon(const Property& list) {
-    const uint64_t count = body_.length(list);
-    if (count > MAX_VERTICES) body_.fail(fmt::format("has {} corners; split it", count));
-    cost_.add(polygon_bytes(count));
-    corners_.clear();
-    for (uint64_t i = 0; i < count; ++i)
-        corners_.push_back(body_.index(list.type, positions_.size(), "vertex"));
-    if (count < 3) notes_.add("Points and lines are skipped");
-    if (!usable(corners_)) return;
-    if (count == 3) // as all are in most files
-        return void(part_.triangles.emplace_back(corners_[0], corners_[1], corners_[2]));
-    outline_.clear();
-    for (const uint32_t corner : corners_) outline_.push_back(positions_[corner]);
-    for (const auto& [a, b, c] : triangulate(outline_))
-        part_.triangles.emplace_back(corners_[a], corners_[b], corners_[c]);
-}
-
-/// A list of strips, each of which -1 ends. Every second triangle of a strip is turned over; those
-/// that name a vertex twice only turn the strip.
-void PlyReader::read_strip(const Property& list) {
-    std::array<uint32_t, 3> corners{};
-    size_t known = 0; // corners of this strip so far
-    for (uint64_t left = body_.length(list); left > 0; --left) {
-        cost_.add(TRIANGLE_BYTES);
-        const auto corner = body_.index_or_none(list.type, positions_.size(), "vertex");
-        if (!corner) {
-            known = 0;
-            continue;
-        }
-        corners = {corners[1], corners[2], *corner};
-        if (++known < 3) continue;
-        const auto [a, b, c] = corners;
-        if (a == b || b == c || c == a || !usable(corners)) continue;
-        part_.triangles.push_back(known % 2 ? glm::uvec3(a, b, c) : glm::uvec3(b, a, c));
-    }
-}
-
-void PlyReader::skip(const Element& element) {
-    notes_.add("Other elements than vertices and faces are ignored", element.name);
-    body_.skip(element);
-}
-
-} // namespace
 
 Scene load_ply(const fs::path& path, LoadContext& context) {
     const std::string file = read_file_within(context, path), name = path.string();
-    PlyReader reader(name, file, context.notes_of(path), context);
+    const ply::Header header = ply::read_header(name, file);
+    Notes notes = context.notes_of(path);
     Scene scene;
-    scene.materials.emplace_back().name = "default";
-    scene.meshes.push_back(reader.read(path.stem().string()));
+    scene.meshes.push_back(
+        ply::read_mesh(name, path.stem().string(), file, header, notes, context));
+    scene.materials.push_back(material_of(header, path, scene, notes, context));
     scene.instances.push_back({0, glm::mat4(1.0f)});
-    scene.notes = reader.notes();
+    scene.notes = notes.sentences();
     return scene;
 }
 

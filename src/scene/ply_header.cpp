@@ -51,7 +51,10 @@ class HeaderReader {
         if (next_line() != "ply") fail("it doesn't begin with 'ply'");
         bare_returns_ = file_[header_.size - 1] == '\r';
         for (;;) {
-            const Words words = split(next_line());
+            const std::string_view line = next_line();
+            const Words words = split(line);
+            if (words.size() > 2 && words[1] == "TextureFile" && header_.texture.empty())
+                header_.texture = line.substr(size_t(words[2].data() - line.data()));
             if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
             if (words[0] == "end_header") break;
             read_statement(words);

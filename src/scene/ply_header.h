@@ -32,6 +32,7 @@ struct Header {
     Encoding encoding = Encoding::ascii;
     std::vector<Element> elements; ///< names differ, as do those of the properties of each
     size_t size = 0;               ///< bytes of the header; the values follow
+    std::string texture;           ///< the first that a comment names (MeshLab's TextureFile)
 };
 
 /// Reads the header of the file whose bytes these are. Lines may end in LF, CR LF or CR. Throws

@@ -160,6 +160,32 @@ TEST_CASE("bad numbers of a PLY vertex cost its faces, its normal or its texture
     CHECK(scene_bounds(scene).high == glm::vec3(1, 1, 0));
 }
 
+TEST_CASE("a PLY file may name a texture and give each face its own texture coordinates") {
+    ScratchFolder folder;
+    folder.write("my texture.png", test::blue_png());
+    const std::string header = "comment TextureFile my texture.png\nelement vertex 4\n" +
+                               POSITIONS +
+                               "element face 2\nproperty list uchar int vertex_indices\n"
+                               "property list uchar float texcoord\n";
+    const std::string values = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2 6 0 0 1 0 0 1\n"
+                               "3 2 1 3 6 0 1 0.5 0 nan 1\n";
+    const Scene scene = load_scene(folder.write("a.ply", ascii(header, values)));
+    const Mesh& mesh = scene.meshes[0];
+    const auto uv = [&](size_t triangle, size_t corner) {
+        return mesh.uvs.at(mesh.triangles.at(triangle)[corner]);
+    };
+    CHECK(uv(0, 1) == glm::vec2(1, 1));
+    CHECK(uv(1, 1) == glm::vec2(0.5f, 1));
+    CHECK(uv(1, 2) == glm::vec2(0));
+    CHECK(mesh.triangles[0].z == mesh.triangles[1].x); // of equal position and coordinates
+    CHECK(mesh.positions.at(mesh.triangles[1].y) == glm::vec3(1, 0, 0));
+    CHECK(scene.materials[0].base_color_texture == 0);
+    CHECK(scene.materials[0].base_color == glm::vec3(1));
+    const Scene without = load_ply_bytes(ascii(header, values));
+    CHECK(without.materials[0].base_color == glm::vec3(0.8f));
+    CHECK_THAT(without.notes.at(1), Catch::Contains("missing are left out (my texture.png)"));
+}
+
 TEST_CASE("the lines of a PLY header may end in CR LF or CR, and numbers stand anywhere") {
     std::string file =
         ascii("element vertex 3\n" + POSITIONS + FACES, "0 0 0 +1 -0 0e0\n\n0\t1.0 0\n 3 0\n1 2");

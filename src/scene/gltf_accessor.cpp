@@ -24,6 +24,10 @@ size_t component_size(ComponentType type) {
     }
 }
 
+/// Elements without data are zeros, as sparse accessors begin; with more than these and a byte of
+/// the file each, it would take far more memory than the file does.
+constexpr uint64_t MAX_ZEROS = uint64_t(1) << 16;
+
 /// Checked elements in a buffer.
 struct Window {
     const uint8_t* first = nullptr;
@@ -188,6 +192,9 @@ std::vector<T> read(const File& file, uint32_t index, const std::string& user) {
     else if (accessor.view)
         data =
             window(file, *accessor.view, accessor.offset, accessor.count, size * COMPONENTS, user);
+    else if (accessor.count > MAX_ZEROS + file.buffer_bytes())
+        throw InputError("{}: {}: its accessor {} claims {} elements without data; export it again",
+                         file.name, user, index, accessor.count);
     file.context.spend(accessor.count, sizeof(T), file.where(user));
     std::vector<T> values(accessor.count, T{});
     if (data.first)

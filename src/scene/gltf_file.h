@@ -43,6 +43,13 @@ struct File {
 
     /// "FILE: what".
     std::string where(const std::string& what) const { return name + ": " + what; }
+
+    /// Of all loaded buffers.
+    uint64_t buffer_bytes() const {
+        uint64_t sum = 0;
+        for (const auto& buffer : buffers) sum += buffer.size();
+        return sum;
+    }
 };
 
 /// Parses .gltf or .glb and loads the buffers that its views name; images stay encoded. Throws

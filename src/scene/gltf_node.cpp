@@ -201,7 +201,7 @@ void NodeTraversal::add_light(uint32_t index, const glm::mat4& to_world, const s
     const LightSource& source = at(file_, file_.document.lights, index, "light", user);
     const glm::vec3 color(source.color[0], source.color[1], source.color[2]);
     const glm::vec3 intensity = glm::max(color, 0.0f) * std::max(0.0f, float(source.intensity));
-    file_.context.spend(1, sizeof(DirectionalLight), file_.where(user));
+    file_.context.spend(1, 256, file_.where(user)); // with its record and its weight
     if (source.type == "directional") {
         if (is_flat(to_world)) return;
         const glm::vec3 to_light = glm::normalize(glm::vec3(to_world[2])); // it shines along -Z

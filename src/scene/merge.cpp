@@ -145,14 +145,30 @@ static void append_lights(Scene& whole, const Scene& part, const AssetOffsets& o
         chapter.area_lights.push_back(placed(light, transform, offsets.materials));
 }
 
+static size_t count_lights(const Scene& scene) {
+    size_t lights = scene.chapter.area_lights.size();
+    for_each_light_list(scene,
+                        [&](const auto& list, const auto&, const char*) { lights += list.size(); });
+    return lights;
+}
+
+uint64_t placed_bytes(const Scene& part) {
+    constexpr uint64_t LIGHT_BYTES = 256; // a light, what the chapter says of it, its record
+    return count_lights(part) * LIGHT_BYTES + part.instances.size() * 4 * sizeof(Instance) +
+           part.spheres.size() * 4 * sizeof(Sphere) + part.shapes.size() * 4 * sizeof(Shape) +
+           part.cameras.size() * 2 * sizeof(Camera);
+}
+
 void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
                    const glm::mat4& transform) {
     if (whole.instances.size() + part.instances.size() > MAX_PLACED ||
         whole.spheres.size() + part.spheres.size() > MAX_PLACED ||
-        whole.shapes.size() + part.shapes.size() > MAX_PLACED)
-        throw InputError(
-            "the includes add up to more than {} instances, spheres or shapes; include fewer",
-            MAX_PLACED);
+        whole.shapes.size() + part.shapes.size() > MAX_PLACED ||
+        count_lights(whole) + count_lights(part) > MAX_PLACED ||
+        whole.cameras.size() + part.cameras.size() > MAX_PLACED)
+        throw InputError("the includes add up to more than {} instances, spheres, shapes, lights "
+                         "or cameras; include fewer",
+                         MAX_PLACED);
     for (const Instance& instance : part.instances)
         whole.instances.push_back(
             {instance.mesh + offsets.meshes, transform * instance.object_to_world});

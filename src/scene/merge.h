@@ -17,9 +17,12 @@ AssetOffsets append_assets(Scene& whole, Scene& part);
 /// `whole`, by an affine, invertible transform. Lengths scale, intensities don't; environment and
 /// settings are taken where `whole` has none, and a note says that others of [whitted] are left
 /// out. Throws InputError when a sphere would be stretched or
-/// when there would be more than 2^22 instances or spheres.
+/// when there would be more than 2^22 instances, spheres, shapes, lights or cameras.
 void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
                    const glm::mat4& transform);
+
+/// Bytes that placing the part takes, with what upload makes of its instances and lights.
+uint64_t placed_bytes(const Scene& part);
 
 /// Both of the above and the notes: all of `part` becomes part of `whole`.
 void append(Scene& whole, Scene&& part, const glm::mat4& transform = glm::mat4(1.0f));

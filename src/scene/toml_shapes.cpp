@@ -320,6 +320,7 @@ TomlScene::Part& TomlScene::part(const TableReader& table, std::string_view key,
 
 void TomlScene::place(const TableReader& table, std::string_view key, const std::string& file,
                       const Part& part, const glm::mat4& transform) {
+    context_.spend(1, placed_bytes(part.placed), table.where(key));
     try {
         append_placed(scene_, part.placed, part.offsets, transform);
     } catch (const InputError& error) {

@@ -57,3 +57,21 @@ TEST_CASE("a load's budget is one for all that it loads and can't be passed by a
     context.spend(400, 1, "d");
     CHECK(context.left() == 0);
 }
+
+TEST_CASE("includes of includes of lights are refused before they take the memory") {
+    ScratchFolder folder;
+    folder.write("0.toml", "[[light]]\ntype = \"point\"\nposition = [0, 1, 0]\nintensity = 1\n");
+    std::string ten;
+    for (int i = 0; i < 10; ++i) ten += "\"NAME.toml\", ";
+    for (int level = 1; level <= 8; ++level) {
+        std::string text = "include = [" + ten + "]\n[[shape]]\ntype = \"sphere\"\n";
+        for (size_t at; (at = text.find("NAME")) != std::string::npos;)
+            text.replace(at, 4, std::to_string(level - 1));
+        folder.write(std::to_string(level) + ".toml", text);
+    }
+    CHECK(error_with({}, folder.path() / "3.toml").empty());
+    CHECK_THAT(error_with({}, folder.path() / "8.toml"), Catch::Contains("include fewer"));
+    LoadOptions little;
+    little.limit = 1 << 16;
+    CHECK_THAT(error_with(little, folder.path() / "3.toml"), Catch::Contains("--load-limit"));
+}

@@ -1,6 +1,7 @@
 #include "scene/load.h"
 
 #include "core/error.h"
+#include "core/shown.h"
 #include "scene/loaders.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ Scene load_part(const fs::path& path, LoadContext& context,
     if (extension == ".toml") return load_toml(path, context, ancestors);
     throw InputError(
         "{}: '{}' is not a scene format of ours; give a .gltf, .glb, .obj, .ply, .stl or .toml",
-        path.string(), extension);
+        path.string(), shown(extension));
 }
 
 Scene load_scene(const fs::path& path, const std::optional<Environment>& environment,

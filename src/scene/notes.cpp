@@ -1,6 +1,7 @@
 #include "scene/notes.h"
 
 #include "core/error.h"
+#include "core/shown.h"
 
 #include <fmt/format.h>
 
@@ -8,14 +9,14 @@ namespace onde {
 
 void Notes::add(const std::string& sentence, const std::string& example) {
     const auto [found, is_new] = index_.try_emplace(sentence, entries_.size());
-    if (is_new) entries_.push_back({sentence, example, 0});
+    if (is_new) entries_.push_back({sentence, shown(example), 0});
     ++entries_[found->second].count;
 }
 
 void Notes::wrong(const std::string& sentence, const std::string& example) {
     if (strict_)
         throw InputError("{}: {}{}; --strict refuses that", file_,
-                         example.empty() ? "" : example + ": ", sentence);
+                         example.empty() ? "" : shown(example) + ": ", sentence);
     add(sentence, example);
 }
 

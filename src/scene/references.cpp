@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/shown.h"
 #include "image/image_io.h"
 
 #include <algorithm>
@@ -22,19 +23,19 @@ fs::path resolve_inside(const fs::path& folder, const std::string& reference,
         throw InputError("{}: the file name is empty or damaged; name a file", where);
     if (relative.is_absolute())
         throw InputError("{}: '{}' is an absolute path; name a file in the scene's folder", where,
-                         reference);
+                         shown(reference));
     std::error_code error, folder_error;
     const fs::path base = fs::canonical(folder.empty() ? fs::path(".") : folder, folder_error);
     const fs::path path = fs::weakly_canonical(base / relative, error);
     if (error || folder_error)
-        throw InputError("{}: '{}' cannot be resolved ({})", where, reference,
+        throw InputError("{}: '{}' cannot be resolved ({})", where, shown(reference),
                          (error ? error : folder_error).message());
     const fs::path widest = root.empty() ? base : fs::canonical(root, error);
     const bool widened = !error && (base == widest || lies_in(widest, base));
     if (!lies_in(widened ? widest : base, path))
         throw InputError("{}: '{}' leaves the scene's folder; move the file into it, or name a "
                          "folder that holds both by --root",
-                         where, reference);
+                         where, shown(reference));
     return path;
 }
 
@@ -65,7 +66,8 @@ int32_t add_texture_file(Scene& scene, LoadContext& context, const fs::path& fol
     const auto found = std::find_if(scene.textures.begin(), scene.textures.end(), same);
     if (found != scene.textures.end()) return int32_t(found - scene.textures.begin());
     if (!fs::exists(path))
-        throw InputError("{}: the image '{}' does not exist; check the name", where, reference);
+        throw InputError("{}: the image '{}' does not exist; check the name", where,
+                         shown(reference));
     const std::string bytes = read_file(path);
     ByteImage image = decode_byte_image(
         {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, path.string());

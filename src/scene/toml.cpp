@@ -1,6 +1,7 @@
 // Onde's own scene format; docs/scene-format.md is its reference.
 #include "core/error.h"
 #include "core/files.h"
+#include "core/shown.h"
 #include "scene/load.h"
 #include "scene/loaders.h"
 #include "scene/phong.h"
@@ -31,7 +32,7 @@ static toml::table parse(const fs::path& path) {
     } catch (const toml::parse_error& error) {
         throw InputError("{}:{}:{}: not valid TOML: {}", path.string(),
                          uint32_t(error.source().begin.line), uint32_t(error.source().begin.column),
-                         error.description());
+                         shown(error.description(), 300));
     }
 }
 

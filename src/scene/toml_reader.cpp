@@ -1,6 +1,7 @@
 #include "scene/toml_reader.h"
 
 #include "core/error.h"
+#include "core/shown.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ std::string TableReader::where(std::string_view key) const {
     const toml::node* node = key.empty() ? nullptr : table_->get(key);
     const toml::source_region& source = node ? node->source() : table_->source();
     std::string full = path_;
-    if (!key.empty()) full += full.empty() ? std::string(key) : "." + std::string(key);
+    if (!key.empty()) full += (full.empty() ? "" : ".") + shown(key);
     const std::string place = source.begin ? fmt::format(":{}:{}", uint32_t(source.begin.line),
                                                          uint32_t(source.begin.column))
                                            : "";
@@ -23,7 +24,7 @@ std::string TableReader::where(std::string_view key) const {
 }
 
 void TableReader::fail(std::string_view key, const std::string& problem) const {
-    throw InputError("{} {}", where(key), problem);
+    throw InputError("{} {}", where(key), shown(problem, 1000));
 }
 
 /// Levenshtein's distance: the fewest insertions, removals and replacements from a to b.
@@ -129,7 +130,7 @@ std::optional<glm::vec3> TableReader::color(std::string_view key, Range range) c
 
 void TableReader::fail_choice(std::string_view key, const std::string& word,
                               std::span<const std::string_view> words) const {
-    fail(key, fmt::format("can't be '{}'; did you mean '{}'? Allowed: {}", word,
+    fail(key, fmt::format("can't be '{}'; did you mean '{}'? Allowed: {}", shown(word),
                           nearest(std::string_view(word).substr(0, 64), words), joined(words)));
 }
 

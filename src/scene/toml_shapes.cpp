@@ -1,5 +1,6 @@
 // Shapes, lights and includes of Onde's scene format.
 #include "core/error.h"
+#include "core/shown.h"
 #include "scene/loaders.h"
 #include "scene/shapes.h"
 #include "scene/toml_fields.h"
@@ -324,7 +325,7 @@ void TomlScene::place(const TableReader& table, std::string_view key, const std:
     try {
         append_placed(scene_, part.placed, part.offsets, transform);
     } catch (const InputError& error) {
-        throw InputError("{}: '{}': {}", table.where(key), file, error.what());
+        throw InputError("{}: '{}': {}", table.where(key), shown(file), error.what());
     }
 }
 

@@ -172,6 +172,18 @@ TEST_CASE("impossible shapes are refused with their line") {
     check_refused({"[[shape]]\ntype = \"donut\"\n", {"did you mean"}});
 }
 
+TEST_CASE("control characters of a scene file do not reach its sentences") {
+    for (const std::string toml :
+         {"\"a\\u001b[31m\\n\" = 1\n", "[film]\n\"\\n\" = 2\n", "include = [\"a\\n.obj\"]\n",
+          "include = [\"../a\\u0007\"]\n", "[[material]]\nname = \"m\"\nkind = \"\\n\"\n",
+          "[[shape]]\ntype = \"sphere\"\nmaterial = \"\\u001b\"\n"}) {
+        ScratchFolder folder;
+        const std::string error = load_error(folder.write("evil.toml", toml));
+        CHECK_THAT(error, Catch::Contains("evil.toml"));
+        for (const char c : error) CHECK((c >= ' ' || c < 0));
+    }
+}
+
 TEST_CASE("damaged TOML is refused with its line") {
     check_refused({"[film]\nsize = [1,\n", {"not valid TOML"}});
     check_refused({"a = = 2\n", {"evil.toml:1:"}});

@@ -13,6 +13,7 @@ static constexpr std::array EXTENSIONS{
     Extension{"KHR_lights_punctual", Support::read},
     Extension{"KHR_materials_emissive_strength", Support::read},
     Extension{"KHR_materials_ior", Support::read},
+    Extension{"KHR_materials_pbrSpecularGlossiness", Support::mapped},
     Extension{"KHR_materials_transmission", Support::mapped},
     Extension{"KHR_materials_variants", Support::read},
     Extension{"KHR_mesh_quantization", Support::read},

@@ -3,6 +3,7 @@
 #include "core/shown.h"
 #include "image/image_io.h"
 #include "scene/gltf_scene.h"
+#include "scene/gltf_specular_glossiness.h"
 #include "scene/references.h"
 
 #include <fmt/format.h>
@@ -143,12 +144,88 @@ void apply_metallic_roughness(TextureLoader& textures, const JsonReader& source,
         textures.load(pbr, "metallicRoughnessTexture", false, user);
 }
 
-Material convert(File& file, TextureLoader& textures, const JsonReader& source,
-                 const std::string& user) {
+/// Materials of the older model, whose textures are made anew where it has one of reflectances.
+class OldMaterials {
+  public:
+    OldMaterials(File& file, Scene& scene, TextureLoader& textures)
+        : file_(file), scene_(scene), textures_(textures) {}
+
+    void apply(const JsonReader& source, const std::string& user, Material& material);
+    /// Frees what no material uses any more.
+    void release_textures();
+
+  private:
+    int32_t add(const Texture& like, ByteImage image, bool srgb);
+
+    File& file_;
+    Scene& scene_;
+    TextureLoader& textures_;
+    std::vector<int32_t> replaced_;
+};
+
+int32_t OldMaterials::add(const Texture& like, ByteImage image, bool srgb) {
+    Texture texture = like;
+    texture.image = std::move(image);
+    texture.srgb = srgb;
+    scene_.textures.push_back(std::move(texture));
+    return int32_t(scene_.textures.size() - 1);
+}
+
+void OldMaterials::apply(const JsonReader& source, const std::string& user, Material& material) {
+    const auto old = source.extension("KHR_materials_pbrSpecularGlossiness");
+    if (!old) return;
+    file_.notes.add("Specular-glossiness materials are converted to metallic-roughness", user);
+    SpecularGlossiness factors;
+    if (const auto diffuse = old->vector<4>("diffuseFactor"))
+        factors.diffuse = glm::clamp(rgb(*diffuse), 0.0f, 1.0f);
+    if (const auto specular = old->vector<3>("specularFactor"))
+        factors.specular = glm::clamp(rgb(*specular), 0.0f, 1.0f);
+    factors.glossiness = unit(old->number("glossinessFactor", 1.0));
+    const int32_t diffuse = textures_.load(old, "diffuseTexture", true, user);
+    const int32_t specular = textures_.load(old, "specularGlossinessTexture", true, user);
+    material.base_color_texture = diffuse;
+    material.metallic_roughness_texture = NO_TEXTURE;
+    if (specular == NO_TEXTURE) {
+        const MetallicRoughness converted = to_metallic_roughness(factors);
+        material.base_color = converted.base_color;
+        material.metallic = converted.metallic;
+        material.roughness = converted.roughness;
+        return;
+    }
+    const Texture of_specular = scene_.textures[size_t(specular)];
+    const Texture of_diffuse =
+        diffuse == NO_TEXTURE ? of_specular : scene_.textures[size_t(diffuse)];
+    const ByteImage white, &colors = diffuse == NO_TEXTURE ? white : of_diffuse.image;
+    const uint64_t texels = uint64_t(std::max(colors.width, of_specular.image.width)) *
+                            std::max(colors.height, of_specular.image.height);
+    file_.context.spend(texels, 2 * 4, file_.where(user));
+    ConvertedTextures converted = convert_textures(factors, colors, of_specular.image);
+    material.base_color_texture = add(of_diffuse, std::move(converted.base_color), true);
+    material.metallic_roughness_texture =
+        add(of_specular, std::move(converted.metallic_roughness), false);
+    material.base_color = glm::vec3(1.0f);
+    material.metallic = material.roughness = 1.0f;
+    replaced_.insert(replaced_.end(), {diffuse, specular});
+}
+
+void OldMaterials::release_textures() {
+    std::vector<bool> used(scene_.textures.size(), false);
+    for (const Material& material : scene_.materials)
+        for_each_texture(material, [&](const auto&, int32_t texture) {
+            if (texture != NO_TEXTURE) used[size_t(texture)] = true;
+        });
+    for (int32_t texture : replaced_)
+        if (texture != NO_TEXTURE && !used[size_t(texture)])
+            scene_.textures[size_t(texture)].image = {1, 1, {255, 255, 255, 255}};
+}
+
+Material convert(File& file, TextureLoader& textures, OldMaterials& old_materials,
+                 const JsonReader& source, const std::string& user) {
     Material material;
     material.name = shown(source.text("name").value_or(""));
     material.kind = MaterialKind::metallic_roughness;
     apply_metallic_roughness(textures, source, user, material);
+    old_materials.apply(source, user, material);
     material.emission = glm::vec3(0.0f);
     if (const auto factor = source.vector<3>("emissiveFactor"))
         material.emission = glm::max(rgb(*factor), 0.0f);
@@ -167,13 +244,15 @@ Material convert(File& file, TextureLoader& textures, const JsonReader& source,
 
 void add_materials(File& file, Scene& scene) {
     TextureLoader textures(file, scene);
+    OldMaterials old_materials(file, scene, textures);
     const std::vector<JsonReader>& materials = file.document.materials;
     for (size_t i = 0; i < materials.size(); ++i) {
         const std::string name = materials[i].text("name").value_or("");
         const std::string user = name.empty() ? fmt::format("material {}", i)
                                               : fmt::format("material {} '{}'", i, shown(name));
-        scene.materials.push_back(convert(file, textures, materials[i], user));
+        scene.materials.push_back(convert(file, textures, old_materials, materials[i], user));
     }
+    old_materials.release_textures();
     Material& none = scene.materials.emplace_back();
     none.name = "default";
     none.kind = MaterialKind::metallic_roughness;

@@ -59,6 +59,8 @@ Node read_node(const JsonReader& object) {
     node.rotation = object.vector<4>("rotation").value_or(node.rotation);
     node.scale = object.vector<3>("scale").value_or(node.scale);
     node.weights = object.numbers("weights");
+    if (const auto visibility = object.extension("KHR_node_visibility"))
+        node.visible = visibility->boolean("visible", true);
     if (const auto instancing = object.extension("EXT_mesh_gpu_instancing"))
         node.instancing =
             read_attributes(instancing->require("attributes", instancing->object("attributes")));

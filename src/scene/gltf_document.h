@@ -78,6 +78,7 @@ struct Sampler {
 
 struct TextureSource {
     Index image, sampler;
+    std::vector<uint32_t> fallbacks; ///< the same picture in more common formats
 };
 
 using Attributes = std::map<std::string, uint32_t>; ///< names to accessors
@@ -116,6 +117,7 @@ struct Node {
     std::array<double, 3> translation{0, 0, 0}, scale{1, 1, 1};
     std::array<double, 4> rotation{0, 0, 0, 1}; ///< a quaternion x, y, z, w
     std::vector<double> weights;                ///< of the mesh's morph targets, over its own
+    bool visible = true;                        ///< KHR_node_visibility; its children too
     std::optional<Attributes> instancing;       ///< EXT_mesh_gpu_instancing
 };
 

@@ -109,7 +109,15 @@ Sampler read_sampler(const JsonReader& object) {
 }
 
 TextureSource read_texture(const JsonReader& object) {
-    return {object.index("source"), object.index("sampler")};
+    TextureSource texture{std::nullopt, object.index("sampler"), {}};
+    const auto add = [&](Index image) {
+        if (texture.image && image) texture.fallbacks.push_back(*image);
+        if (!texture.image) texture.image = image;
+    };
+    for (const char* name : {"KHR_texture_basisu", "EXT_texture_webp"})
+        if (const auto extension = object.extension(name)) add(extension->index("source"));
+    add(object.index("source"));
+    return texture;
 }
 
 } // namespace

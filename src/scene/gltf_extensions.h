@@ -16,10 +16,14 @@ enum class Support {
 struct Extension {
     std::string_view name;
     Support support;
+    std::string_view remark{}; ///< for the documentation
 };
 
 /// All known ones by name; others have no support.
 std::span<const Extension> known_extensions();
+
+/// "read", "ignored, with a note", ...
+std::string_view meaning_of(Support support);
 
 Support support_of(std::string_view name);
 

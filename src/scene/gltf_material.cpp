@@ -31,6 +31,7 @@ class TextureLoader {
     std::optional<std::span<const uint8_t>> encoded(const ImageSource& image,
                                                     const std::string& name);
     std::optional<ByteImage> decode(const ImageSource& image, const std::string& name);
+    std::optional<ByteImage> decode_any(const TextureSource& texture, const std::string& user);
 
     File& file_;
     Scene& scene_;
@@ -49,19 +50,35 @@ std::optional<std::span<const uint8_t>> TextureLoader::encoded(const ImageSource
     return image.uri ? uri_bytes(file_, *image.uri, file_.where(name)) : std::nullopt;
 }
 
-/// Nothing, with a note, for an image that is missing or that we can't decode.
+/// Nothing for an image that can't be read.
 std::optional<ByteImage> TextureLoader::decode(const ImageSource& image, const std::string& name) {
     const auto bytes = encoded(image, name);
-    if (!bytes) {
-        file_.notes.wrong("Images that are missing are left out", name);
-        return std::nullopt;
-    }
+    if (!bytes) return std::nullopt;
     try {
         return decode_byte_image(*bytes, file_.where(name));
     } catch (const InputError&) {
-        file_.notes.wrong("Images that can't be read are left out", name);
         return std::nullopt;
     }
+}
+
+std::string label_of(const ImageSource& image) {
+    return shown(image.name.empty() ? image.uri.value_or("") : image.name);
+}
+
+/// The first of the texture's images that can be read; nothing, with a note, if there is none.
+std::optional<ByteImage> TextureLoader::decode_any(const TextureSource& texture,
+                                                   const std::string& user) {
+    std::vector<uint32_t> candidates{*texture.image};
+    candidates.insert(candidates.end(), texture.fallbacks.begin(), texture.fallbacks.end());
+    std::string tried;
+    for (uint32_t index : candidates) {
+        const ImageSource& image = at(file_, file_.document.images, index, "image", user);
+        const std::string name = fmt::format("image {} '{}'", index, label_of(image));
+        if (auto pixels = decode(image, name)) return pixels;
+        tried = tried.empty() ? name : tried;
+    }
+    file_.notes.wrong("Images that are missing or can't be read are left out", tried);
+    return std::nullopt;
 }
 
 int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_view key, bool srgb,
@@ -87,11 +104,9 @@ int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_v
     const auto [found, is_new] = loaded_.try_emplace({*texture.image, srgb, u, v}, NO_TEXTURE);
     if (!is_new) return found->second;
     const ImageSource& image = at(file_, file_.document.images, *texture.image, "image", user);
-    const std::string label = image.name.empty() ? image.uri.value_or("") : image.name;
-    const std::string name = fmt::format("image {} '{}'", *texture.image, shown(label));
-    if (auto pixels = decode(image, name)) {
+    if (auto pixels = decode_any(texture, user)) {
         found->second = int32_t(scene_.textures.size());
-        scene_.textures.push_back({shown(label), std::move(*pixels), srgb, u, v});
+        scene_.textures.push_back({label_of(image), std::move(*pixels), srgb, u, v});
     }
     return found->second;
 }

@@ -86,6 +86,7 @@ void NodeTraversal::enter(const Visit& visit) {
     const glm::dmat4 to_world = visit.parent_to_world * local_transform(file_, node, user);
     if (!finite(to_world))
         throw InputError("{}: {}: its transform is not finite; export it again", file_.name, user);
+    if (!node.visible) return file_.notes.add("Nodes that the file hides are skipped", user);
     if (node.mesh) add_mesh(node, to_world, user);
     if (node.camera) add_camera(*node.camera, glm::mat4(to_world), user);
     if (node.light) add_light(*node.light, glm::mat4(to_world), user);

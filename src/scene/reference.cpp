@@ -1,6 +1,7 @@
 #include "scene/reference.h"
 
 #include "scene/field_text.h"
+#include "scene/gltf_extensions.h"
 #include "scene/scene.h"
 #include "scene/toml_keys.h"
 
@@ -149,6 +150,17 @@ std::string type_table() {
     return rows;
 }
 
+/// A row for each extension of glTF that is known by name.
+std::string extension_table() {
+    std::string rows = "| extension | in Onde |\n|---|---|\n";
+    for (const gltf::Extension& extension : gltf::known_extensions())
+        rows += fmt::format("| `{}` | {} |\n", extension.name,
+                            joined(gltf::meaning_of(extension.support), extension.remark));
+    return rows + fmt::format("| other `KHR_materials_*` | {} |\n| any other | {} |\n",
+                              gltf::meaning_of(gltf::Support::ignored),
+                              gltf::meaning_of(gltf::Support::none));
+}
+
 } // namespace
 
 std::vector<ReferenceTable> reference_tables() {
@@ -165,7 +177,8 @@ std::vector<ReferenceTable> reference_tables() {
             {"glowing", key_table<Emission, AreaLight>()},
             {"environment", key_table<Environment>()},
             {"include", key_table<Include, Placement>()},
-            {"whitted", key_table<WhittedSettings>()}};
+            {"whitted", key_table<WhittedSettings>()},
+            {"gltf extensions", extension_table()}};
 }
 
 } // namespace onde

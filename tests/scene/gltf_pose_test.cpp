@@ -256,6 +256,13 @@ TEST_CASE("scenes and material variants are chosen by name or number") {
     CHECK_THROWS_WITH(load("", "2"), Catch::Contains("no material variant '2'"));
 }
 
+TEST_CASE("a node that the file hides is skipped with its children") {
+    const Scene scene = triangle().load(
+        MESH + R"(, "nodes": [{"mesh": 0}, {"mesh": 0, "children": [2], "extensions":
+            {"KHR_node_visibility": {"visible": false}}}, {"mesh": 0}])");
+    CHECK(scene.instances.size() == 1);
+}
+
 TEST_CASE("meshes that are built from the same data are built once") {
     Builder builder = triangle();
     std::string meshes, nodes;

@@ -158,6 +158,24 @@ TEST_CASE(
     CHECK(color.image.rgba == std::vector<uint8_t>{64, 128, 255, 255});
 }
 
+TEST_CASE("of a texture's images the first that can be read counts") {
+    for (const char* extension : {"KHR_texture_basisu", "EXT_texture_webp"}) {
+        ScratchFolder folder;
+        folder.write("quad.bin", quad_bytes());
+        folder.write("blue.png", test::blue_png());
+        folder.write("new.bin", "a format to come");
+        const Scene scene = load_scene(
+            folder.write("q.gltf", quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)",
+                                             R"(, "materials": [{"emissiveTexture": {"index": 0}}],
+  "textures": [{"source": 1, "extensions": {")" + std::string(extension) +
+                                                 R"(": {"source": 0}}}],
+  "images": [{"uri": "new.bin"}, {"uri": "blue.png"}])")));
+        REQUIRE(scene.textures.size() == 1);
+        CHECK(scene.textures[0].image.rgba == std::vector<uint8_t>{64, 128, 255, 255});
+        CHECK_FALSE(has_note(scene, "can't be read"));
+    }
+}
+
 TEST_CASE("an image may not lie out of the folder, though it may be missing") {
     ScratchFolder folder;
     folder.write("quad.bin", quad_bytes());

@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <map>
 #include <span>
-#include <tuple>
+#include <unordered_map>
 
 namespace onde::ply {
 
@@ -47,6 +47,23 @@ bool is_corner_list(const Property& property) {
 bool is_corner_uvs(const Property& property) {
     return property.count_type && property.name == "texcoord";
 }
+
+/// A vertex as one corner of a face has it.
+struct VertexUv {
+    uint32_t vertex = 0;
+    glm::vec2 uv{0.0f};
+
+    bool operator==(const VertexUv&) const = default;
+};
+
+struct VertexUvHash {
+    size_t operator()(const VertexUv& key) const {
+        const auto bits = [](float x) { return uint64_t(std::bit_cast<uint32_t>(x + 0.0f)); };
+        const uint64_t hash = (bits(key.uv.x) << 32 | bits(key.uv.y)) * 0x9e3779b97f4a7c15u ^
+                              key.vertex * 0xc2b2ae3d27d4eb4fu;
+        return size_t(hash ^ (hash >> 29));
+    }
+};
 
 constexpr const char* BAD_UVS = "Texture coordinates that are no finite numbers become 0";
 
@@ -110,7 +127,7 @@ class Reader {
     std::vector<uint32_t> corners_;   ///< of the face being read
     std::vector<double> corner_uvs_;  ///< of these corners, where the face has its own
     std::vector<glm::dvec3> outline_; ///< positions of these corners
-    std::map<std::tuple<uint32_t, float, float>, uint32_t> split_; ///< vertex and uv to new vertex
+    std::unordered_map<VertexUv, uint32_t, VertexUvHash> split_; ///< to the new vertex
 };
 
 void Reader::check_elements() const {
@@ -244,8 +261,7 @@ void Reader::split_corners() {
         if (!good) notes_.wrong(BAD_UVS);
         const glm::vec2 uv = good ? glm::vec2(u, 1.0 - v) : glm::vec2(0.0f);
         const uint32_t corner = corners_[i];
-        const auto [found, is_new] =
-            split_.try_emplace({corner, uv.x, uv.y}, uint32_t(positions_.size()));
+        const auto [found, is_new] = split_.try_emplace({corner, uv}, uint32_t(positions_.size()));
         corners_[i] = found->second;
         if (!is_new) continue;
         cost_.add(VERTEX_BYTES);

@@ -52,7 +52,10 @@ __kernel void inspect_path(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS,
     uint bounce = 0;
     for (bool alive = true; alive; bounce++) {
         __global BounceReport* report = reports + bounce;
-        const Hits hits = trace_closest(view.bvh, path.origin, path.direction, 1u);
+        Hits hits = trace_closest(view.bvh, path.origin, path.direction, 1u);
+#if ONDE_PASSING
+        hits = estimator_pass(e, path, hits, (natural)(0u), bounce, (mask)(1));
+#endif
         explain_bounce(view, path, hits, sampler, bounce, report);
         const PathVertex v = path_vertex(view, path, hits, sampler, bounce, (mask)(1));
         sum = add3(sum, v.emitted);
@@ -63,7 +66,17 @@ __kernel void inspect_path(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS,
         report->blocked = v.connection.distance > 0.0f &&
                           trace_occluded(view.bvh, v.connection.origin, v.connection.direction,
                                          v.connection.distance, 1u);
-        if (v.connection.distance > 0.0f && !report->blocked) sum = add3(sum, v.connection.value);
+        real3 arrives = report->blocked ? zero3() : v.connection.value;
+#if ESTIMATOR_TRANSLUCENT
+        if (report->blocked) {
+            const real through = estimator_transmittance(
+                e, v.connection.origin, v.connection.direction, v.connection.distance, (mask)(1));
+            report->blocked = !(through > 0.0f);
+            arrives = scale3(v.connection.value, through);
+            report3(report->light_radiance, arrives);
+        }
+#endif
+        if (v.connection.distance > 0.0f && !report->blocked) sum = add3(sum, arrives);
         report3(report->next_direction, v.next.direction);
         report->next_pdf = v.next.pdf;
         report3(report->next_throughput, v.next.throughput);

@@ -95,6 +95,9 @@ __kernel void inspect_whitted(LAUNCH_PARAMETERS, SCENE_PARAMETERS,
         TreeNode node;
         node.ray = tree[i].ray;
         node.hits = trace_closest(e.view.bvh, node.ray.origin, node.ray.direction, 1u);
+#if ONDE_PASSING
+        node.hits = estimator_pass(e, node.ray, node.hits, (natural)(0u), 0, (mask)(1));
+#endif
         const WhittedVertex v = whitted_vertex(e.view, e.w, node.ray, node.hits, 1);
         explain_node(e, node, v, reports + i, source_reports + i * e.w.settings->source_count);
         const real3 color = node_color(e, v, node.ray, 0u, 1, &tested);

@@ -8,7 +8,7 @@
 
 #define ESTIMATOR_TREE 0
 #define ESTIMATOR_EMITS 0
-#define ESTIMATOR_TRANSLUCENT 0
+#define ESTIMATOR_TRANSLUCENT ONDE_PASSING
 #define ESTIMATOR_CONNECTS_START 1
 #define ESTIMATOR_SPLATS 1
 #define ESTIMATOR_COLUMNS LIGHT_PATH_COLUMNS
@@ -41,6 +41,26 @@ INLINE Sampler path_sampler(Estimator e, natural id) {
 INLINE Step estimator_start(Estimator e, natural id, mask lanes) {
     return light_start(e.view, e.setup, path_sampler(e, id), lanes);
 }
+
+#if ONDE_PASSING
+INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint bounce,
+                           mask lanes) {
+    #if ONDE_ALPHA
+    const real2 u = sampler_pair(path_sampler(e, id), passing_dimension(bounce));
+    return pass_surfaces(e.view, path.origin, path.direction, hits, u.x, lanes & !lanes, lanes);
+    #else
+    return hits;
+    #endif
+}
+
+// Connections show the scene to the camera, which looks against them; only those of the environment
+// run with its sight.
+INLINE real estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
+                                    mask lanes) {
+    const real3 seen = choose(distance < INFINITE_DISTANCE, negate3(direction), direction);
+    return ray_transmittance(e.view, origin, direction, distance, seen, lanes, lanes);
+}
+#endif
 
 INLINE Step estimator_vertex(Estimator e, State path, Hits hits, natural id, uint bounce,
                              mask lanes) {

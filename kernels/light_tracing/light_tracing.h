@@ -10,6 +10,7 @@
 
 #include "light_tracing/connection.h"
 #include "shade/light.h"
+#include "shade/passing.h"
 
 // Named dimension pairs of a light path: its emission, then four pairs per vertex, the first of
 // which is the light itself.
@@ -25,6 +26,11 @@
 
 INLINE uint vertex_dimension(uint vertex, uint which) {
     return LIGHT_DIMENSION_VERTICES + vertex * DIMENSIONS_PER_VERTEX + which;
+}
+
+// Which of the surfaces that let rays pass ends the ray to a bounce; none of the above.
+INLINE uint passing_dimension(uint bounce) {
+    return 0x40000000u + bounce;
 }
 
 COLUMNS_TYPE(LightPath, LIGHT_PATH_COLUMNS);

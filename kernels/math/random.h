@@ -17,7 +17,7 @@
 #define DIMENSION_CHOICE 0u    // x: which of many lights, y: which lobe
 #define DIMENSION_LIGHT 1u     // point on the light
 #define DIMENSION_DIRECTION 2u // of the BSDF
-#define DIMENSION_ROULETTE 3u
+#define DIMENSION_ROULETTE 3u  // y: which of the surfaces that let rays pass ends the next ray
 #define DIMENSIONS_PER_BOUNCE 4u
 
 INLINE uint bounce_dimension(uint bounce, uint which) {

@@ -41,8 +41,15 @@ INLINE void connect_lanes(Estimator e, FilmView film, Connection c, natural id, 
     const uint tested = mask_bits(lanes & (c.distance > 0.0f));
     if (!tested) return;
     count_rays(e.job.counters, COUNTER_SHADOW, vertex, popcount(tested));
-    const uint open =
-        tested & ~trace_occluded(e.view.bvh, c.origin, c.direction, c.distance, tested);
+    uint open = tested & ~trace_occluded(e.view.bvh, c.origin, c.direction, c.distance, tested);
+#if ESTIMATOR_TRANSLUCENT
+    const mask dim = mask_from_bits(tested & ~open);
+    if_any (dim) {
+        const real through = estimator_transmittance(e, c.origin, c.direction, c.distance, dim);
+        c.value = choose(dim, scale3(c.value, through), c.value);
+        open |= mask_bits(dim & (through > 0.0f));
+    }
+#endif
 #if ESTIMATOR_SPLATS
     add_splats(e, film, c, id, vertex, open, gathered);
 #else
@@ -69,7 +76,11 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
 #endif
     for (uint bounce = 0; mask_bits(alive); bounce++) {
         const uint bits = mask_bits(alive);
-        const Hits hits = trace_bounce(e.view.bvh, state.origin, state.direction, bounce, bits);
+        Hits hits = trace_bounce(e.view.bvh, state.origin, state.direction, bounce, bits);
+#if ONDE_PASSING
+        const mask may = may_pass(e.view, hits, alive & (hits.primitive != BVH_NONE));
+        if_any (may) hits = estimator_pass(e, state, hits, id, bounce, may);
+#endif
 #if ESTIMATOR_TREE
         count_by_level(e.job.counters, COUNTER_EXTENSION, state.level, one_for(alive));
         const mask tree = alive;

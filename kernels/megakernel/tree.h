@@ -25,10 +25,14 @@ INLINE void answer(Estimator e, Connections* c, uint groups) {
         spill_real(arrives + g * ONDE_WIDTH, choose(open, (real)(1.0f), (real)(0.0f)));
     }
     #if ESTIMATOR_TRANSLUCENT
-    for (; blocked; blocked &= blocked - 1) {
-        const uint r = lowest_bit(blocked);
-        arrives[r] = estimator_transmittance(e, occluded_origin(&c->ways, r),
-                                             occluded_direction(&c->ways, r), c->ways.distance[r]);
+    for (uint g = 0; g < groups; g++) {
+        const mask dim = mask_from_bits(blocked >> g * ONDE_WIDTH);
+        if (!mask_bits(dim)) continue;
+        const real through =
+            estimator_transmittance(e, group_origin(&c->ways, g), group_direction(&c->ways, g),
+                                    unspill_real(c->ways.distance + g * ONDE_WIDTH), dim);
+        const real before = unspill_real(arrives + g * ONDE_WIDTH);
+        spill_real(arrives + g * ONDE_WIDTH, choose(dim, through, before));
     }
     #endif
     for (uint g = 0; g < groups; g++) c->value[g] *= unspill_real(arrives + g * ONDE_WIDTH);

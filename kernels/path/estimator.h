@@ -7,7 +7,7 @@
 
 #define ESTIMATOR_TREE 0
 #define ESTIMATOR_EMITS 1
-#define ESTIMATOR_TRANSLUCENT 0
+#define ESTIMATOR_TRANSLUCENT ONDE_ALPHA
 #define ESTIMATOR_CONNECTS_START 0
 #define ESTIMATOR_SPLATS 0
 #define ESTIMATOR_COLUMNS PATH_COLUMNS
@@ -34,6 +34,22 @@ INLINE Sampler path_sampler(Estimator e, natural id) {
 INLINE State estimator_start(Estimator e, natural id) {
     return path_start(e.view.frame, job_pixel(e.job, id), path_sampler(e, id));
 }
+
+#if ONDE_PASSING
+// Backs are culled where no light was sampled along the ray: for the camera's, and after mirrors.
+INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint bounce,
+                           mask lanes) {
+    const real2 u = sampler_pair(path_sampler(e, id), bounce_dimension(bounce, DIMENSION_ROULETTE));
+    return pass_surfaces(e.view, path.origin, path.direction, hits, u.y, path.pdf == 0.0f, lanes);
+}
+#endif
+
+#if ESTIMATOR_TRANSLUCENT
+INLINE real estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
+                                    mask lanes) {
+    return ray_transmittance(e.view, origin, direction, distance, direction, lanes & !lanes, lanes);
+}
+#endif
 
 INLINE Step estimator_vertex(Estimator e, State path, Hits hits, natural id, uint bounce,
                              mask lanes) {

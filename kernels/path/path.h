@@ -7,6 +7,7 @@
 #include "shade/camera.h"
 #include "shade/connection.h"
 #include "shade/light.h"
+#include "shade/passing.h"
 #include "shade/vertex.h"
 
 COLUMNS_TYPE(Path, PATH_COLUMNS);
@@ -45,6 +46,13 @@ INLINE real3 path_emission(SceneView view, Path path, real t, Surface s, mask la
     const real3 radiance = material_emission(view, s.material, s.uv);
     const real weight = found_weight(path.pdf, light_pdf(view, path.origin, path.direction, t, s));
     return choose(emits, mul3(path.throughput, scale3(radiance, weight)), zero3());
+}
+
+// What unlit surfaces show: their colour, to whatever ray looks at them.
+INLINE real3 path_unlit(SceneView view, Path path, Surface s, mask lanes) {
+    const mask unlit = lanes & is_unlit(view, s.material);
+    if (!mask_bits(unlit)) return zero3();
+    return choose(unlit, mul3(path.throughput, material_color(view, s)), zero3());
 }
 
 INLINE Connection path_connection(SceneView view, Path path, Vertex v, Sampler sampler, uint bounce,
@@ -101,6 +109,7 @@ OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sam
     v.t = choose(found, hit.t, (real)(0.0f));
     const real3 emitted = path_emission(view, path, v.t, v.surface, found);
     result.emitted = choose(found, emitted, result.emitted);
+    if (HAS_UNLIT) result.emitted = add3(result.emitted, path_unlit(view, path, v.surface, found));
     if (bounce + 1 >= view.frame->max_depth) {
         result.alive = found & !found;
         return result;

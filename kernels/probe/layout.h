@@ -107,12 +107,16 @@
     SIZE(MaterialRecord)                                                                           \
     OFFSET(MaterialRecord, kind)                                                                   \
     OFFSET(MaterialRecord, two_sided)                                                              \
+    OFFSET(MaterialRecord, alpha_mode)                                                             \
+    OFFSET(MaterialRecord, double_sided)                                                           \
     OFFSET(MaterialRecord, base_color)                                                             \
     OFFSET(MaterialRecord, emission)                                                               \
     OFFSET(MaterialRecord, roughness)                                                              \
     OFFSET(MaterialRecord, metallic)                                                               \
     OFFSET(MaterialRecord, ior)                                                                    \
     OFFSET(MaterialRecord, normal_scale)                                                           \
+    OFFSET(MaterialRecord, alpha)                                                                  \
+    OFFSET(MaterialRecord, alpha_cutoff)                                                           \
     OFFSET(MaterialRecord, texture)                                                                \
     SIZE(VertexRecord)                                                                             \
     OFFSET(VertexRecord, normal)                                                                   \
@@ -217,6 +221,10 @@
     OFFSET(TextureRecord, height)                                                                  \
     OFFSET(TextureRecord, wrap_u)                                                                  \
     OFFSET(TextureRecord, wrap_v)                                                                  \
+    OFFSET(TextureRecord, filter)                                                                  \
+    OFFSET(TextureRecord, uv_set)                                                                  \
+    OFFSET(TextureRecord, u)                                                                       \
+    OFFSET(TextureRecord, v)                                                                       \
     OFFSET(TextureRecord, unused)                                                                  \
     SIZE(AliasRecord)                                                                              \
     OFFSET(AliasRecord, below)                                                                     \

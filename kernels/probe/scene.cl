@@ -17,11 +17,12 @@
     }                                                                                              \
     INLINE void name##_of(SceneView view, Items items)
 
-// In: texture, uv (2). Out: as data (3), as colour (3).
+// In: texture, uv (2). Out: as data (3), as colour (3), alpha.
 SCENE_PROBE(texture) {
     const natural texture = input_natural(items, 0);
-    output(items, 0, texture_data(view, texture, input2(items, 1)));
-    output(items, 3, texture_color(view, texture, input2(items, 1)));
+    output(items, 0, texture_data(view, texture, same_in_all_sets(input2(items, 1))));
+    output(items, 3, texture_color(view, texture, same_in_all_sets(input2(items, 1))));
+    output(items, 6, texture_alpha(view, texture, same_in_all_sets(input2(items, 1))));
 }
 
 #if ONDE_ENVIRONMENT
@@ -76,7 +77,8 @@ SCENE_PROBE(material) {
     Surface s;
     s.material = input_natural(items, 0);
     s.front = input_mask(items, 1);
-    s.uv = make2((real)(0.0f), (real)(0.0f));
+    s.uv = same_in_all_sets(make2((real)(0.0f), (real)(0.0f)));
+    s.tint = splat3((real)(1.0f));
     const Bsdf b = material_bsdf(view, s, input(items, 2));
 #define OUTPUT_LOBE(NAME, name, Type, transmits, kinds)                                            \
     output(items, LOBE_##NAME, b.probability.name);                                                \

@@ -35,8 +35,8 @@ INLINE MapCell environment_cell(SceneView view, real3 d) {
     const real2 uv = environment_uv(view, d);
     const natural width = (natural)(view.frame->environment_width);
     const natural height = (natural)(view.frame->environment_height);
-    const TexelPair x = texel_pair(uv.x, width, (natural)(WRAP_REPEAT));
-    const TexelPair y = texel_pair(uv.y, height, (natural)(WRAP_CLAMP));
+    const TexelPair x = texel_pair(uv.x, width, (natural)(WRAP_REPEAT), (natural)(FILTER_LINEAR));
+    const TexelPair y = texel_pair(uv.y, height, (natural)(WRAP_CLAMP), (natural)(FILTER_LINEAR));
     const natural row0 = y.first * width, row1 = y.second * width;
     const MapCell cell = {{{row0 + x.first, row0 + x.second}, {row1 + x.first, row1 + x.second}},
                           x.fraction,

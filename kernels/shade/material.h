@@ -3,9 +3,9 @@
 #define ONDE_SHADE_MATERIAL_H
 
 #include "shade/bsdf.h"
-#include "shade/surface.h"
+#include "shade/opacity.h"
 
-INLINE real3 material_emission(SceneView view, natural material, real2 uv) {
+INLINE real3 material_emission(SceneView view, natural material, UvSets uv) {
     const real3 factor = RECORD3(view.materials, material, MaterialRecord, emission);
 #if ONDE_TEXTURES
     const natural texture = material_texture(view, material, TEXTURE_EMISSION);
@@ -20,20 +20,37 @@ INLINE mask material_emits(SceneView view, natural material, mask front) {
     return front | (RECORD_NATURAL(view.materials, material, MaterialRecord, two_sided) != 0u);
 }
 
+// The base colour at a surface.
+INLINE real3 material_color(SceneView view, Surface s) {
+    real3 color = RECORD3(view.materials, s.material, MaterialRecord, base_color);
+#if ONDE_TEXTURES
+    const natural texture = material_texture(view, s.material, TEXTURE_BASE_COLOR);
+    color = mul3(color, texture_color(view, texture, s.uv));
+#endif
+#if ONDE_VERTEX_COLORS
+    color = mul3(color, s.tint);
+#endif
+    return color;
+}
+
+// Whether some material of the scene is unlit, and which lanes' are.
+#define HAS_UNLIT (ONDE_KINDS >> MATERIAL_UNLIT & 1u)
+INLINE mask is_unlit(SceneView view, natural material) {
+    return RECORD_NATURAL(view.materials, material, MaterialRecord, kind) == MATERIAL_UNLIT;
+}
+
 // The BSDF at a surface. cosine: of the view direction and the shading normal, > 0.
 INLINE Bsdf material_bsdf(SceneView view, Surface s, real cosine) {
     MaterialPoint m;
     m.material = s.material;
     m.uv = s.uv;
     m.kind = RECORD_NATURAL(view.materials, s.material, MaterialRecord, kind);
-    m.color = RECORD3(view.materials, s.material, MaterialRecord, base_color);
+    m.color = material_color(view, s);
     real roughness = RECORD(view.materials, s.material, MaterialRecord, roughness);
     m.metallic = RECORD(view.materials, s.material, MaterialRecord, metallic);
     m.front = s.front;
 #if ONDE_TEXTURES
-    const natural color = material_texture(view, s.material, TEXTURE_BASE_COLOR);
     const natural rough_metal = material_texture(view, s.material, TEXTURE_METALLIC_ROUGHNESS);
-    m.color = mul3(m.color, texture_color(view, color, s.uv));
     const real3 packed = texture_data(view, rough_metal, s.uv);
     roughness *= packed.y;
     m.metallic *= packed.z;

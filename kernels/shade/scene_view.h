@@ -13,6 +13,28 @@
 #ifndef ONDE_NORMAL_MAPS
     #define ONDE_NORMAL_MAPS 1
 #endif
+// Sets of texture coordinates that its textures use; whether some texture moves, turns or scales
+// them, and whether some takes the nearest texel.
+#ifndef ONDE_UV_SETS
+    #define ONDE_UV_SETS 1
+#endif
+#ifndef ONDE_TEXTURE_TRANSFORMS
+    #define ONDE_TEXTURE_TRANSFORMS 0
+#endif
+#ifndef ONDE_NEAREST_FILTERS
+    #define ONDE_NEAREST_FILTERS 0
+#endif
+// Whether some material lets rays pass by its alpha, and whether cameras see through the back of
+// some; ONDE_PASSING is 1 where either is.
+#ifndef ONDE_ALPHA
+    #define ONDE_ALPHA 0
+#endif
+#ifndef ONDE_CULLING
+    #define ONDE_CULLING 0
+#endif
+#ifndef ONDE_VERTEX_COLORS
+    #define ONDE_VERTEX_COLORS 0
+#endif
 #ifndef ONDE_ENVIRONMENT
     #define ONDE_ENVIRONMENT 1
 #endif

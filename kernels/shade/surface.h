@@ -9,7 +9,8 @@ typedef struct {
     real3 position;
     real3 geometric; // unit, on the side that the ray came from
     real3 normal;    // shading normal on that side, unit
-    real2 uv;
+    UvSets uv;
+    real3 tint; // of its vertices' colours; multiplies the base colour
     natural material;
     natural light; // NO_INDEX when it does not emit; see SurfaceRecord
     mask front;    // whether that side is the front face
@@ -180,38 +181,6 @@ INLINE ShapePoint shape_point(SceneView view, natural record, natural instance, 
 }
 #endif
 
-#if ONDE_NORMAL_MAPS
-// The normal told by the material's normal map (glTF 2.0, section 3.9.3), or n where it has none.
-INLINE real3 mapped_normal(SceneView view, Hits hit, natural record, natural material, real2 uv,
-                           real3 n) {
-    const natural texture = material_texture(view, material, TEXTURE_NORMAL);
-    const mask present = texture != NO_INDEX;
-    if (!mask_bits(present)) return n;
-    const real scale = RECORD(view.materials, material, MaterialRecord, normal_scale);
-    real3 m = texture_data(view, texture, uv);
-    m = make3(fma(m.x, (real)(2.0f), (real)(-1.0f)) * scale,
-              fma(m.y, (real)(2.0f), (real)(-1.0f)) * scale, fma(m.z, (real)(2.0f), (real)(-1.0f)));
-    const natural word = gather_natural(view.tangents, record);
-    Tangent frame;
-    frame.sign = choose((word & 1u) != 0u, (real)(-1.0f), (real)(1.0f));
-    frame.direction = decode_octahedral(word & ~1u);
-    frame = instance_tangent(view, hit.instance, frame);
-    real3 tangent = frame.direction;
-    tangent = madd3(n, -dot3(n, tangent), tangent);
-    const real across = length3(tangent);
-    const real3 t = scale3(tangent, 1.0f / max_real(across, (real)(1e-20f)));
-    const real3 b = scale3(cross3(n, t), frame.sign);
-    const real3 bent = madd3(n, m.z, madd3(b, m.y, scale3(t, m.x)));
-    const mask usable = present & (across > 1e-4f) & (dot3(bent, bent) > 1e-8f);
-    return choose(usable, normalize3(choose(usable, bent, n)), n);
-}
-#else
-INLINE real3 mapped_normal(SceneView view, Hits hit, natural record, natural material, real2 uv,
-                           real3 n) {
-    return n;
-}
-#endif
-
 // Where the corners of a triangle are among the vertices; the first vertex for other surfaces.
 typedef struct {
     natural vertex[3];
@@ -235,19 +204,118 @@ INLINE real3 triangle_normal(SceneView view, Corners c, real u, real v) {
     const real3 n2 = corner_normal(view, c.vertex[2]);
     return normalize3(madd3(n2, v, madd3(n1, u, scale3(n0, 1.0f - u - v))));
 }
-INLINE real2 triangle_uv(SceneView view, Corners c, real u, real v) {
-    real2 uv = make2((real)(0.0f), (real)(0.0f));
+// A number of the sets of texture coordinates after the first.
+INLINE real interpolate_further(SceneView view, Corners c, uint number, real u, real v) {
+    const uint stride = 2 * (ONDE_UV_SETS - 1);
+    const real n0 = gather_real(view.uvs, c.vertex[0] * stride + number);
+    const real n1 = gather_real(view.uvs, c.vertex[1] * stride + number);
+    const real n2 = gather_real(view.uvs, c.vertex[2] * stride + number);
+    return fma(n2, v, fma(n1, u, n0 * (1.0f - u - v)));
+}
+INLINE UvSets triangle_uv(SceneView view, Corners c, real u, real v) {
+    UvSets uvs = same_in_all_sets(make2((real)(0.0f), (real)(0.0f)));
 #if ONDE_TEXTURES
     const real w = 1.0f - u - v;
+    real2 uv;
     uv.x = RECORD(view.vertices, c.vertex[2], VertexRecord, uv[0]) * v;
     uv.x = fma(RECORD(view.vertices, c.vertex[1], VertexRecord, uv[0]), u, uv.x);
     uv.x = fma(RECORD(view.vertices, c.vertex[0], VertexRecord, uv[0]), w, uv.x);
     uv.y = RECORD(view.vertices, c.vertex[2], VertexRecord, uv[1]) * v;
     uv.y = fma(RECORD(view.vertices, c.vertex[1], VertexRecord, uv[1]), u, uv.y);
     uv.y = fma(RECORD(view.vertices, c.vertex[0], VertexRecord, uv[1]), w, uv.y);
+    uvs.set[0] = uv;
+    for (uint k = 1; k < ONDE_UV_SETS; k++) {
+        uvs.set[k].x = interpolate_further(view, c, 2 * (k - 1), u, v);
+        uvs.set[k].y = interpolate_further(view, c, 2 * (k - 1) + 1, u, v);
+    }
 #endif
-    return uv;
+    return uvs;
 }
+
+#if ONDE_VERTEX_COLORS
+// Two of the colour's 16-bit channels.
+typedef struct {
+    real low, high;
+} Channels;
+
+INLINE Channels corner_channels(SceneView view, natural vertex, uint word) {
+    const natural bits = gather_natural(view.colors, vertex * 2u + word);
+    Channels c;
+    c.low = to_real(bits & 0xffffu) * (1.0f / 65535.0f);
+    c.high = to_real(bits >> 16) * (1.0f / 65535.0f);
+    return c;
+}
+INLINE Channels triangle_channels(SceneView view, Corners c, uint word, real u, real v) {
+    const Channels c0 = corner_channels(view, c.vertex[0], word);
+    const Channels c1 = corner_channels(view, c.vertex[1], word);
+    const Channels c2 = corner_channels(view, c.vertex[2], word);
+    const real w = 1.0f - u - v;
+    Channels mean;
+    mean.low = fma(c2.low, v, fma(c1.low, u, c0.low * w));
+    mean.high = fma(c2.high, v, fma(c1.high, u, c0.high * w));
+    return mean;
+}
+#endif
+
+// The colour of a triangle's vertices, and its alpha.
+INLINE real3 triangle_tint(SceneView view, Corners c, real u, real v) {
+#if ONDE_VERTEX_COLORS
+    const Channels red_green = triangle_channels(view, c, 0, u, v);
+    return make3(red_green.low, red_green.high, triangle_channels(view, c, 1, u, v).low);
+#else
+    return splat3((real)(1.0f));
+#endif
+}
+INLINE real triangle_alpha(SceneView view, Corners c, real u, real v) {
+#if ONDE_VERTEX_COLORS
+    return triangle_channels(view, c, 1, u, v).high;
+#else
+    return (real)(1.0f);
+#endif
+}
+
+#if ONDE_NORMAL_MAPS
+INLINE real3 corner_direction(natural word) {
+    return decode_octahedral(word & ~1u);
+}
+// u and v are the weights of corners 1 and 2, which share the sign.
+INLINE Tangent triangle_tangent(SceneView view, Corners c, real u, real v) {
+    const natural word = gather_natural(view.tangents, c.vertex[0]);
+    const real3 t0 = corner_direction(word);
+    const real3 t1 = corner_direction(gather_natural(view.tangents, c.vertex[1]));
+    const real3 t2 = corner_direction(gather_natural(view.tangents, c.vertex[2]));
+    Tangent t;
+    t.sign = choose((word & 1u) != 0u, (real)(-1.0f), (real)(1.0f));
+    t.direction = madd3(t2, v, madd3(t1, u, scale3(t0, 1.0f - u - v)));
+    return t;
+}
+
+// The normal told by the material's normal map (glTF 2.0, section 3.9.3), or n where it has none.
+INLINE real3 mapped_normal(SceneView view, natural instance, Corners corners, real u, real v,
+                           natural material, UvSets uv, real3 n) {
+    const natural texture = material_texture(view, material, TEXTURE_NORMAL);
+    const mask present = texture != NO_INDEX;
+    if (!mask_bits(present)) return n;
+    const real scale = RECORD(view.materials, material, MaterialRecord, normal_scale);
+    real3 m = texture_data(view, texture, uv);
+    m = make3(fma(m.x, (real)(2.0f), (real)(-1.0f)) * scale,
+              fma(m.y, (real)(2.0f), (real)(-1.0f)) * scale, fma(m.z, (real)(2.0f), (real)(-1.0f)));
+    const Tangent frame = instance_tangent(view, instance, triangle_tangent(view, corners, u, v));
+    real3 tangent = frame.direction;
+    tangent = madd3(n, -dot3(n, tangent), tangent);
+    const real across = length3(tangent);
+    const real3 t = scale3(tangent, 1.0f / max_real(across, (real)(1e-20f)));
+    const real3 b = scale3(cross3(n, t), frame.sign);
+    const real3 bent = madd3(n, m.z, madd3(b, m.y, scale3(t, m.x)));
+    const mask usable = present & (across > 1e-4f) & (dot3(bent, bent) > 1e-8f);
+    return choose(usable, normalize3(choose(usable, bent, n)), n);
+}
+#else
+INLINE real3 mapped_normal(SceneView view, natural instance, Corners corners, real u, real v,
+                           natural material, UvSets uv, real3 n) {
+    return n;
+}
+#endif
 
 #if ONDE_SPHERES
 // Sets position and normals of the lanes whose surface is a sphere.
@@ -287,6 +355,7 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
     if_any (curved) // sixteen bits would bend the others, where they are mirrors, by 3e-5
         s.normal = choose(curved, triangle_normal(view, corners, u, v), s.normal);
     s.uv = triangle_uv(view, corners, u, v);
+    s.tint = triangle_tint(view, corners, u, v);
 #if ONDE_SPHERES
     const mask sphere = lanes & ((tag & SURFACE_SPHERE) != 0u);
     if_any (sphere) s = on_sphere(view, record, direction, s, sphere);
@@ -303,7 +372,7 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
 #endif
     const real3 geometric = instance_normal(view, hit.instance, s.geometric);
     real3 normal = instance_normal(view, hit.instance, s.normal);
-    normal = mapped_normal(view, hit, record, s.material, s.uv, normal);
+    normal = mapped_normal(view, hit.instance, corners, u, v, s.material, s.uv, normal);
 
     s.front = dot3(geometric, direction) < 0.0f;
     s.geometric = choose(s.front, geometric, negate3(geometric));

@@ -1,9 +1,37 @@
-// Bilinear lookups in 8-bit textures. NO_INDEX stands for a texture of ones.
+// Lookups in 8-bit textures, bilinear or of the nearest texel. NO_INDEX stands for a texture of
+// ones.
 #ifndef ONDE_SHADE_TEXTURE_H
 #define ONDE_SHADE_TEXTURE_H
 
 #include "math/elementary.h"
 #include "shade/scene_view.h"
+
+// The texture coordinates of a point, a pair for each set that some texture of the scene uses.
+typedef struct {
+    real2 set[ONDE_UV_SETS];
+} UvSets;
+
+INLINE UvSets same_in_all_sets(real2 uv) {
+    UvSets uvs;
+    for (uint k = 0; k < ONDE_UV_SETS; k++) uvs.set[k] = uv;
+    return uvs;
+}
+
+// A texture's own coordinates of the point.
+INLINE real2 texture_uv(SceneView view, natural texture, UvSets uvs) {
+    real2 uv = uvs.set[0];
+#if ONDE_UV_SETS > 1
+    const natural set = RECORD_NATURAL(view.textures, texture, TextureRecord, uv_set);
+    for (uint k = 1; k < ONDE_UV_SETS; k++) uv = choose(set == k, uvs.set[k], uv);
+#endif
+#if ONDE_TEXTURE_TRANSFORMS
+    const real3 to_u = RECORD3(view.textures, texture, TextureRecord, u);
+    const real3 to_v = RECORD3(view.textures, texture, TextureRecord, v);
+    uv = make2(fma(to_u.x, uv.x, fma(to_u.y, uv.y, to_u.z)),
+               fma(to_v.x, uv.x, fma(to_v.y, uv.y, to_v.z)));
+#endif
+    return uv;
+}
 
 // The two texel coordinates around a texture coordinate, and the weight of the second.
 typedef struct {
@@ -11,13 +39,16 @@ typedef struct {
     real fraction;
 } TexelPair;
 
-INLINE TexelPair texel_pair(real t, natural size, natural wrap) {
+INLINE TexelPair texel_pair(real t, natural size, natural wrap, natural filter) {
     const mask repeat = wrap == WRAP_REPEAT, mirror = wrap == WRAP_MIRROR;
     const real folded = t - 2.0f * floor(t * 0.5f); // in [0, 2]
     t = choose(repeat, t - floor(t),
                choose(mirror, choose(folded > 1.0f, 2.0f - folded, folded), t));
     const integer n = as_integer(size);
-    const real x = fma(clamp_real(t, 0.0f, 1.0f), to_real(n), (real)(-0.5f));
+    real x = fma(clamp_real(t, 0.0f, 1.0f), to_real(n), (real)(-0.5f));
+#if ONDE_NEAREST_FILTERS // then both are the texel that the coordinate lies in
+    x = choose(filter == FILTER_NEAREST, min_real(floor(x + 0.5f), to_real(n - 1)), x);
+#endif
     const real below = floor(x);
     const integer i = to_integer(below);
     const integer last = n - 1;
@@ -45,14 +76,19 @@ typedef struct {
     real x, y;
 } TexelQuad;
 
-INLINE TexelQuad fetch_quad(SceneView view, natural texture, real2 uv) {
+INLINE TexelQuad fetch_quad(SceneView view, natural texture, UvSets uvs) {
+    const real2 uv = texture_uv(view, texture, uvs);
     const natural width = RECORD_NATURAL(view.textures, texture, TextureRecord, width);
     const natural height = RECORD_NATURAL(view.textures, texture, TextureRecord, height);
     const natural offset = RECORD_NATURAL(view.textures, texture, TextureRecord, offset);
-    const TexelPair x =
-        texel_pair(uv.x, width, RECORD_NATURAL(view.textures, texture, TextureRecord, wrap_u));
-    const TexelPair y =
-        texel_pair(uv.y, height, RECORD_NATURAL(view.textures, texture, TextureRecord, wrap_v));
+    const natural wrap_u = RECORD_NATURAL(view.textures, texture, TextureRecord, wrap_u);
+    const natural wrap_v = RECORD_NATURAL(view.textures, texture, TextureRecord, wrap_v);
+    natural filter = (natural)(FILTER_LINEAR);
+#if ONDE_NEAREST_FILTERS
+    filter = RECORD_NATURAL(view.textures, texture, TextureRecord, filter);
+#endif
+    const TexelPair x = texel_pair(uv.x, width, wrap_u, filter);
+    const TexelPair y = texel_pair(uv.y, height, wrap_v, filter);
     const natural row0 = offset + y.first * width, row1 = offset + y.second * width;
     TexelQuad quad;
     quad.texel[0] = gather_natural(view.texels, row0 + x.first);
@@ -72,25 +108,38 @@ INLINE natural material_texture(SceneView view, natural material, uint slot) {
 }
 
 // Linear values of a texture that stores data (normals, roughness).
-INLINE real3 texture_data(SceneView view, natural texture, real2 uv) {
+INLINE real3 texture_data(SceneView view, natural texture, UvSets uvs) {
     const mask present = texture != NO_INDEX;
     const real3 ones = splat3((real)(1.0f));
     if (!mask_bits(present)) return ones;
-    const TexelQuad q = fetch_quad(view, choose(present, texture, (natural)(0u)), uv);
+    const TexelQuad q = fetch_quad(view, choose(present, texture, (natural)(0u)), uvs);
     const real3 top = mix3(texel_data(q.texel[0]), texel_data(q.texel[1]), q.x);
     const real3 bottom = mix3(texel_data(q.texel[2]), texel_data(q.texel[3]), q.x);
     return choose(present, mix3(top, bottom, q.y), ones);
 }
 
 // Linear values of a texture that stores sRGB colours; texels are linearised before filtering.
-INLINE real3 texture_color(SceneView view, natural texture, real2 uv) {
+INLINE real3 texture_color(SceneView view, natural texture, UvSets uvs) {
     const mask present = texture != NO_INDEX;
     const real3 ones = splat3((real)(1.0f));
     if (!mask_bits(present)) return ones;
-    const TexelQuad q = fetch_quad(view, choose(present, texture, (natural)(0u)), uv);
+    const TexelQuad q = fetch_quad(view, choose(present, texture, (natural)(0u)), uvs);
     const real3 top = mix3(texel_color(view, q.texel[0]), texel_color(view, q.texel[1]), q.x);
     const real3 bottom = mix3(texel_color(view, q.texel[2]), texel_color(view, q.texel[3]), q.x);
     return choose(present, mix3(top, bottom, q.y), ones);
+}
+
+// The alpha of a texture.
+INLINE real texture_alpha(SceneView view, natural texture, UvSets uvs) {
+    const mask present = texture != NO_INDEX;
+    const real one = (real)(1.0f);
+    if (!mask_bits(present)) return one;
+    const TexelQuad q = fetch_quad(view, choose(present, texture, (natural)(0u)), uvs);
+    real alpha[4];
+    for (uint k = 0; k < 4; k++) alpha[k] = to_real(q.texel[k] >> 24) * (1.0f / 255.0f);
+    const real top = fma(alpha[1] - alpha[0], q.x, alpha[0]);
+    const real bottom = fma(alpha[3] - alpha[2], q.x, alpha[2]);
+    return choose(present, fma(bottom - top, q.y, top), one);
 }
 
 #endif

@@ -11,7 +11,8 @@
 #define MATERIAL_CONDUCTOR 1u
 #define MATERIAL_DIELECTRIC 2u
 #define MATERIAL_METALLIC_ROUGHNESS 3u
-#define MATERIAL_KIND_COUNT 4u
+#define MATERIAL_UNLIT 4u // shows its base colour, whatever the light; has no lobe
+#define MATERIAL_KIND_COUNT 5u
 
 // The lobes that a BSDF is the sum of, each once: LOBE(NAME, name, Type, transmits, kinds). `name`
 // has a file kernels/shade/lobes/name.h with its Type; `transmits` says whether light may pass the
@@ -31,7 +32,9 @@ enum { LOBES(LOBE_INDEX) LOBE_COUNT };
 // What the kernels know of a material, each once, by the names of onde::Material's members:
 // colours, numbers, textures (SLOT(NAME, name) stands for name_texture).
 #define MATERIAL_COLORS(COLOR) COLOR(base_color) COLOR(emission)
-#define MATERIAL_NUMBERS(NUMBER) NUMBER(roughness) NUMBER(metallic) NUMBER(ior) NUMBER(normal_scale)
+#define MATERIAL_NUMBERS(NUMBER)                                                                   \
+    NUMBER(roughness)                                                                              \
+    NUMBER(metallic) NUMBER(ior) NUMBER(normal_scale) NUMBER(alpha) NUMBER(alpha_cutoff)
 #define TEXTURE_SLOTS(SLOT)                                                                        \
     SLOT(BASE_COLOR, base_color)                                                                   \
     SLOT(METALLIC_ROUGHNESS, metallic_roughness)                                                   \
@@ -41,12 +44,19 @@ enum { LOBES(LOBE_INDEX) LOBE_COUNT };
 #define TEXTURE_INDEX(NAME, name) TEXTURE_##NAME,
 enum { TEXTURE_SLOTS(TEXTURE_INDEX) TEXTURE_COUNT };
 
+// What a surface's alpha does.
+#define ALPHA_OPAQUE 0u // nothing
+#define ALPHA_MASK 1u   // rays pass where it is below the cutoff
+#define ALPHA_BLEND 2u  // rays pass with probability 1 - alpha
+
 // See onde::Material for meanings.
 #define COLOR_MEMBER(name) float name[3];
 #define NUMBER_MEMBER(name) float name;
 typedef struct {
     uint kind;
     uint two_sided;
+    uint alpha_mode;   // ALPHA_...
+    uint double_sided; // else camera rays pass its back
     MATERIAL_COLORS(COLOR_MEMBER)
     MATERIAL_NUMBERS(NUMBER_MEMBER)
     uint texture[TEXTURE_COUNT]; // by slot: index of a TextureRecord, or NO_INDEX
@@ -152,12 +162,18 @@ typedef struct {
 #define WRAP_REPEAT 0u
 #define WRAP_CLAMP 1u
 #define WRAP_MIRROR 2u
+#define FILTER_LINEAR 0u
+#define FILTER_NEAREST 1u
 
-// 32 bytes. Texels are RGBA8 words in one common buffer.
+// 64 bytes, one for each way of using a picture. Texels are RGBA8 words in one common buffer, where
+// several records may name the same ones.
 typedef struct {
     uint offset; // of the first texel
     uint width, height;
     uint wrap_u, wrap_v;
+    uint filter;      // FILTER_...
+    uint uv_set;      // which of the packed sets of texture coordinates
+    float u[3], v[3]; // rows of the matrix from those coordinates, (x, y, 1), to the texture's
     uint unused[3];
 } TextureRecord;
 
@@ -170,12 +186,16 @@ typedef struct {
 } AliasRecord;
 
 // The buffers of a scene beside its tree's, each once, as BVH_BUFFERS in shared/bvh.h.
-// vertices: the first is for triangles that have none of their own. tangents: one per primitive
-// of scenes with textures, octahedral with the lowest bit replaced by the sign of the bitangent.
+// vertices: the first is for triangles that have none of their own. What follows them is there
+// where the scene needs it, by the index of the vertex: uvs are the sets of texture coordinates
+// after the first, two floats each, set by set; colors linear RGBA of 16 bits each; tangents
+// octahedral, with the lowest bit replaced by the sign of the bitangent.
 // srgb: 256 entries, from 8-bit sRGB to linear. environment: 3 floats per pixel.
 #define SCENE_BUFFERS(BUFFER)                                                                      \
     BUFFER(SurfaceRecord, surfaces, "surfaces")                                                    \
     BUFFER(VertexRecord, vertices, "vertices")                                                     \
+    BUFFER(float, uvs, "further texture coordinates")                                              \
+    BUFFER(uint, colors, "vertex colours")                                                         \
     BUFFER(uint, tangents, "tangents")                                                             \
     BUFFER(MaterialRecord, materials, "materials")                                                 \
     BUFFER(LightRecord, lights, "lights")                                                          \

@@ -38,14 +38,15 @@ INLINE PairSpans span_pair(__global const BvhPair* pair, SlabRay ray, float t_mi
 }
 
 OUTLINED Hit traverse_closest(BVH_SCALARS, float3 origin, float t_min, float3 direction,
-                              float t_max) {
+                              float t_max PASSED_PARAMETERS) {
     const BvhView bvh = BVH_FROM_SCALARS;
     Hit hit = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
+    PASS_IN(hit);
     if (!is_finite_ray(origin, direction)) return hit;
     ulong stack[ONDE_STACK_SIZE];
     DECLARE_COUNTERS
     uint size = 0;
-    const PlacedRay start = place_ray(origin, direction, t_min, BVH_NONE);
+    const PlacedRay start = place_ray(origin, direction, ENTRY_BEHIND(t_min), BVH_NONE);
     PlacedRay ray = start;
     ulong at = stack_entry(t_min, bvh.root);
     for (;;) {

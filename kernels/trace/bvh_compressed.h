@@ -158,13 +158,14 @@ INLINE uint find_work(CompressedTraversal* traversal, const NodeGroup* stack, Pl
 }
 
 OUTLINED Hit traverse_closest(BVH_SCALARS, float3 origin, float t_min, float3 direction,
-                              float t_max) {
+                              float t_max PASSED_PARAMETERS) {
     const BvhView bvh = BVH_FROM_SCALARS;
     Hit hit = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
+    PASS_IN(hit);
     if (!is_finite_ray(origin, direction)) return hit;
     NodeGroup stack[ONDE_STACK_SIZE];
     DECLARE_COUNTERS
-    const PlacedRay start = place_ray(origin, direction, t_min, BVH_NONE);
+    const PlacedRay start = place_ray(origin, direction, ENTRY_BEHIND(t_min), BVH_NONE);
     CompressedTraversal traversal = start_traversal(bvh, start);
     do {
         if (!traversal.slots.bits) {

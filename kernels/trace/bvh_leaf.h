@@ -7,8 +7,19 @@
     #define ONDE_TRAVERSAL_COST 0
 #endif
 
+// Whether rays go on behind hits that they have passed; see bvh_closest_behind.
+#ifndef ONDE_PASSING
+    #define ONDE_PASSING 0
+#endif
+
 #include "trace/shape.h"
 #include "trace/triangle_watertight.h"
+
+// A hit that a ray has passed; zeros where it has passed none.
+typedef struct {
+    float t;
+    uint primitive, instance;
+} PassedHit;
 
 // A closest hit. primitive == BVH_NONE: nothing was hit, and t is the ray's t_max.
 // u and v weigh the triangle's vertices 1 and 2; they are 0 on spheres. instance == BVH_NONE: the
@@ -16,6 +27,9 @@
 typedef struct {
     float t, u, v;
     uint primitive, instance;
+#if ONDE_PASSING
+    PassedHit passed; // only what lies behind it is hit
+#endif
 #if ONDE_TRAVERSAL_COST
     uint boxes, primitives; // that the traversal has tested
 #endif
@@ -37,8 +51,24 @@ typedef struct {
 
 // Among hits at the same distance the smallest ids win, whatever the order in which they are found.
 INLINE uint is_closer(float t, uint primitive, uint instance, Hit than) {
+#if ONDE_PASSING
+    const PassedHit passed = than.passed;
+    if (t < passed.t) return 0;
+    if (t == passed.t && (primitive < passed.primitive ||
+                          (primitive == passed.primitive && instance <= passed.instance)))
+        return 0;
+#endif
     if (t != than.t) return t < than.t;
     return primitive < than.primitive || (primitive == than.primitive && instance < than.instance);
+}
+
+// A hit in place of another one of the ray.
+INLINE Hit replace_hit(Hit hit, float t, float u, float v, uint primitive, uint instance) {
+    Hit closer = {t, u, v, primitive, instance};
+#if ONDE_PASSING
+    closer.passed = hit.passed;
+#endif
+    return closer;
 }
 
 INLINE Vectors8 splat8(float3 v) {
@@ -71,7 +101,14 @@ INLINE Hit closest_of_block(__global const uchar* block, TriangleTest8 test, int
     const float8 inverse = 1.0f / test.determinant;
     const float8 t = test.t * inverse;
     const float8 from_box = max_fast(t, (float8)(near));
-    const float8 candidate_t = ((miss >= 0) & (t > t_min)) ? from_box : (float8)(INFINITY);
+    int8 open = (miss >= 0) & (t > t_min);
+#if ONDE_PASSING
+    const uint8 ids = ((__global const uint8*)block)[9];
+    const int8 later =
+        instance > hit.passed.instance ? ids >= hit.passed.primitive : ids > hit.passed.primitive;
+    open &= (from_box > hit.passed.t) | ((from_box == hit.passed.t) & later);
+#endif
+    const float8 candidate_t = open ? from_box : (float8)(INFINITY);
     const float closest = lowest_of8(candidate_t);
     if (!(closest <= hit.t) || closest == INFINITY) return hit;
 
@@ -82,8 +119,7 @@ INLINE Hit closest_of_block(__global const uchar* block, TriangleTest8 test, int
     float u[8] __attribute__((aligned(32))), v[8] __attribute__((aligned(32)));
     *(float8*)u = test.u * inverse;
     *(float8*)v = test.v * inverse;
-    const Hit closer = {closest, u[lane], v[lane], primitive, instance};
-    return closer;
+    return replace_hit(hit, closest, u[lane], v[lane], primitive, instance);
 }
 
 // `hit`, or the closest hit of the block's triangles in (t_min, hit.t]. A hit counts as no closer
@@ -132,16 +168,25 @@ INLINE Hit closest_at(float distance, uint primitive, float near, uint instance,
     if (distance == INFINITY) return hit;
     const float t = max_fast(distance, near);
     if (!is_closer(t, primitive, instance, hit)) return hit;
-    const Hit closer = {t, 0.0f, 0.0f, primitive, instance};
-    return closer;
+    return replace_hit(hit, t, 0.0f, 0.0f, primitive, instance);
+}
+// A ray that has passed the front of a round thing may hit its back.
+INLINE float behind_passed(float t_min, Hit hit) {
+#if ONDE_PASSING
+    return max_fast(t_min, hit.passed.t);
+#else
+    return t_min;
+#endif
 }
 INLINE Hit closest_on_sphere(BvhSphere sphere, float3 origin, float t_min, float3 direction,
                              float near, uint instance, Hit hit) {
+    t_min = behind_passed(t_min, hit);
     const float distance = sphere_distance(sphere, origin, t_min, direction, hit.t);
     return closest_at(distance, sphere.primitive, near, instance, hit);
 }
 INLINE Hit closest_on_shape(BvhSphere shape, float3 origin, float t_min, float3 direction,
                             float near, uint instance, Hit hit) {
+    t_min = behind_passed(t_min, hit);
     const float distance = shape_distance(shape, origin, t_min, direction, hit.t);
     return closest_at(distance, shape.primitive, near, instance, hit);
 }

@@ -27,8 +27,8 @@ INLINE Hit closest_on_triangle(__global const BvhSlot* slot, PlacedRay ray, floa
     const float inverse = 1.0f / test.determinant;
     const float t = test.t * inverse;
     if (!(t > t_min)) return hit;
-    const Hit closer = {max_fast(t, near), test.u * inverse, test.v * inverse, slot->primitive,
-                        ray.instance};
+    const Hit closer = replace_hit(hit, max_fast(t, near), test.u * inverse, test.v * inverse,
+                                   slot->primitive, ray.instance);
     return closer.t <= hit.t && is_closer(closer.t, closer.primitive, closer.instance, hit) ? closer
                                                                                             : hit;
 }

@@ -54,6 +54,23 @@ INLINE float entry_distance(ulong entry) {
 #define BVH_FROM_SCALARS                                                                           \
     { BVH_BUFFERS(BVH_NAME) root }
 
+// The hit that a ray has passed as parameters of a traversal, which are there where rays pass
+// anything; and the distance before which no box needs to be entered, less some rounding.
+#if ONDE_PASSING
+    #define PASSED_PARAMETERS , float passed_t, uint passed_primitive, uint passed_instance
+    #define PASSED_NOTHING , 0.0f, 0, 0
+    #define PASS_IN(hit)                                                                           \
+        hit.passed.t = passed_t;                                                                   \
+        hit.passed.primitive = passed_primitive;                                                   \
+        hit.passed.instance = passed_instance
+    #define ENTRY_BEHIND(t_min) max_fast(t_min, passed_t*(1.0f - 4e-6f))
+#else
+    #define PASSED_PARAMETERS
+    #define PASSED_NOTHING
+    #define PASS_IN(hit)
+    #define ENTRY_BEHIND(t_min) t_min
+#endif
+
 // A ray in the space of the tree that it traverses.
 typedef struct {
     float3 origin, direction;

@@ -165,12 +165,14 @@ INLINE Hit closest_below(BvhView bvh, uint word, float distance, PlacedRay start
 }
 
 OUTLINED Hit traverse_closest(BVH_SCALARS, float3 origin, float t_min, float3 direction,
-                              float t_max) {
+                              float t_max PASSED_PARAMETERS) {
     const BvhView bvh = BVH_FROM_SCALARS;
-    const Hit miss = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
+    Hit miss = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
+    PASS_IN(miss);
     if (!is_finite_ray(origin, direction)) return miss;
     ulong stack[ONDE_STACK_SIZE];
-    return closest_below(bvh, bvh.root, t_min, place_ray(origin, direction, t_min, BVH_NONE), t_min,
+    const float entry = ENTRY_BEHIND(t_min);
+    return closest_below(bvh, bvh.root, entry, place_ray(origin, direction, entry, BVH_NONE), t_min,
                          stack, miss);
 }
 

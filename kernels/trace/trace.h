@@ -76,6 +76,41 @@ INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits)
     return hits;
 }
 
+#if ONDE_PASSING
+// The closest hits of the lanes in `bits` behind those that are given, up to t_max; the other lanes
+// keep theirs. (A hit of zeros is before all others.)
+INLINE Hits trace_behind(BvhView bvh, real3 origin, real3 direction, real t_max, Hits hits,
+                         uint bits) {
+    SpilledRays rays;
+    spill_rays(&rays, origin, direction);
+    float t[ONDE_WIDTH], u[ONDE_WIDTH], v[ONDE_WIDTH], end[ONDE_WIDTH];
+    float primitive[ONDE_WIDTH], instance[ONDE_WIDTH];
+    spill_real(t, hits.t);
+    spill_real(u, hits.u);
+    spill_real(v, hits.v);
+    spill_real(end, t_max);
+    spill_real(primitive, as_real(hits.primitive));
+    spill_real(instance, as_real(hits.instance));
+    for (; bits; bits &= bits - 1) {
+        const uint k = lowest_bit(bits);
+        const PassedHit passed = {t[k], as_uint(primitive[k]), as_uint(instance[k])};
+        const Hit hit = bvh_closest_behind(bvh, spilled_origin(&rays, k),
+                                           spilled_direction(&rays, k), end[k], passed);
+        t[k] = hit.t;
+        u[k] = hit.u;
+        v[k] = hit.v;
+        primitive[k] = as_float(hit.primitive);
+        instance[k] = as_float(hit.instance);
+    }
+    hits.t = unspill_real(t);
+    hits.u = unspill_real(u);
+    hits.v = unspill_real(v);
+    hits.primitive = as_natural(unspill_real(primitive));
+    hits.instance = as_natural(unspill_real(instance));
+    return hits;
+}
+#endif
+
 #if ONDE_STREAMS
 // Up to 16 rays of a bounce: those that see what the camera sees, or just left it, as a stream, the
 // rest interleaved or one after the other.
@@ -162,6 +197,19 @@ INLINE float3 occluded_origin(const Occlusion* o, uint r) {
 }
 INLINE float3 occluded_direction(const Occlusion* o, uint r) {
     return (float3)(o->rays.direction[0][r], o->rays.direction[1][r], o->rays.direction[2][r]);
+}
+
+// The rays of a group.
+INLINE real3 group_origin(const Occlusion* o, uint group) {
+    const uint first = group * ONDE_WIDTH;
+    return make3(unspill_real(o->rays.origin[0] + first), unspill_real(o->rays.origin[1] + first),
+                 unspill_real(o->rays.origin[2] + first));
+}
+INLINE real3 group_direction(const Occlusion* o, uint group) {
+    const uint first = group * ONDE_WIDTH;
+    return make3(unspill_real(o->rays.direction[0] + first),
+                 unspill_real(o->rays.direction[1] + first),
+                 unspill_real(o->rays.direction[2] + first));
 }
 
 // One bit per ray of `bits`, among those of the first groups, whose way to its distance is blocked.

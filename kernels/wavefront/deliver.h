@@ -22,22 +22,43 @@ INLINE float3 word3(Columns c, uint k, uint i) {
     return (float3)(*column(c, k, i), *column(c, k + 1, i), *column(c, k + 2, i));
 }
 
-// The connection of a slot, which something opaque or translucent may block. vertex: of the path,
-// the camera or light being 0.
-INLINE void deliver(Estimator e, WaveView wave, FilmView film, uint slot, uint vertex,
-                    uint blocked) {
-    const Columns connections = wave_connections(wave);
-    float transmittance = 1.0f;
-    if (blocked) {
 #if ESTIMATOR_TRANSLUCENT
-        transmittance = estimator_transmittance(e, word3(connections, 0, slot),
-                                                word3(connections, RAY_DIRECTION, slot),
-                                                *column(connections, RAY_DISTANCE, slot));
-        if (!(transmittance > 0.0f)) return;
-#else
-        return;
-#endif
+// How much comes through of the connections in `blocked`, by their place among the slots. Returns
+// those of which nothing does.
+INLINE uint find_transmittance(Estimator e, WaveView wave, const uint* slots, uint blocked,
+                               float* transmittance) {
+    const Columns connections = wave_connections(wave);
+    float words[RAY_DISTANCE + 1][ONDE_WIDTH];
+    uint place[ONDE_WIDTH], dark = 0;
+    while (blocked) {
+        uint count = 0;
+        for (; blocked && count < ONDE_WIDTH; blocked &= blocked - 1)
+            place[count++] = lowest_bit(blocked);
+        for (uint k = 0; k <= RAY_DISTANCE; k++)
+            for (uint i = 0; i < ONDE_WIDTH; i++)
+                words[k][i] = *column(connections, k, slots[place[min(i, count - 1)]]);
+        const real3 origin =
+            make3(unspill_real(words[0]), unspill_real(words[1]), unspill_real(words[2]));
+        const real3 direction =
+            make3(unspill_real(words[3]), unspill_real(words[4]), unspill_real(words[5]));
+        float through[ONDE_WIDTH];
+        spill_real(through,
+                   estimator_transmittance(e, origin, direction, unspill_real(words[RAY_DISTANCE]),
+                                           lane_index() < count));
+        for (uint i = 0; i < count; i++) {
+            transmittance[place[i]] = through[i];
+            if (!(through[i] > 0.0f)) dark |= 1u << place[i];
+        }
     }
+    return dark;
+}
+#endif
+
+// The connection of a slot, of which `transmittance` arrives. vertex: of the path, the camera or
+// light being 0.
+INLINE void deliver(Estimator e, WaveView wave, FilmView film, uint slot, uint vertex,
+                    float transmittance) {
+    const Columns connections = wave_connections(wave);
     const uint path = as_uint(*column(wave.state, COLUMN_ID, slot));
     const float3 value = word3(connections, RAY_DISTANCE + 1, slot) * transmittance;
 #if ESTIMATOR_SPLATS

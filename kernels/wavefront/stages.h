@@ -24,8 +24,26 @@ INLINE void stage_generate(Estimator e, WaveView wave, uint begin, uint end) {
     }
 }
 
+#if ONDE_PASSING
+// Sends rays on that pass what they have hit.
+INLINE void pass_columns(Estimator e, WaveView wave, uint bounce, uint begin, uint end) {
+    for (uint i = begin; i < end; i += ONDE_WIDTH) {
+        const mask lanes = group_lanes(i, end);
+        const Hits hits = load_hits(wave_hits(wave), i);
+        const mask may = may_pass(e.view, hits, lanes & (hits.primitive != BVH_NONE));
+        if (!mask_bits(may)) continue;
+        const natural id = choose(lanes, load_id(wave, i), (natural)(0u));
+        store_hits(wave_hits(wave), i,
+                   estimator_pass(e, load_state(wave.state, i), hits, id, bounce, may));
+    }
+}
+#endif
+
 INLINE void stage_intersect(Estimator e, WaveView wave, uint bounce, uint begin, uint end) {
     trace_columns(e.view.bvh, wave.state, wave_hits(wave), bounce, begin, end);
+#if ONDE_PASSING
+    pass_columns(e, wave, bounce, begin, end);
+#endif
     for (uint i = begin; i < end; i += ONDE_WIDTH)
         count_tree_rays(e.job, COUNTER_EXTENSION, wave, i, group_lanes(i, end));
 }
@@ -53,8 +71,20 @@ INLINE mask pending_connections(WaveView wave, uint i, uint end) {
 
 INLINE void test_connections(Estimator e, WaveView wave, FilmView film, const uint* slots,
                              uint count, uint vertex) {
-    const uint blocked = occluded_slots(e.view.bvh, wave_connections(wave), slots, count);
-    for (uint k = 0; k < count; k++) deliver(e, wave, film, slots[k], vertex, blocked >> k & 1);
+    uint blocked = occluded_slots(e.view.bvh, wave_connections(wave), slots, count);
+#if ESTIMATOR_TRANSLUCENT
+    float transmittance[OCCLUDED_SLOTS];
+    for (uint k = 0; k < count; k++) transmittance[k] = 1.0f;
+    blocked = find_transmittance(e, wave, slots, blocked, transmittance);
+#endif
+    for (uint k = 0; k < count; k++) {
+        if (blocked >> k & 1) continue;
+#if ESTIMATOR_TRANSLUCENT
+        deliver(e, wave, film, slots[k], vertex, transmittance[k]);
+#else
+        deliver(e, wave, film, slots[k], vertex, 1.0f);
+#endif
+    }
 }
 
 // Tests the connections of a vertex, the camera or light being vertex 0, and delivers what arrives.

@@ -20,6 +20,9 @@ bool finite(const glm::vec2& v) {
 bool finite(const glm::vec3& v) {
     return finite(v.x) && finite(v.y) && finite(v.z);
 }
+bool finite(const glm::vec4& v) {
+    return finite(v.x) && finite(v.y) && finite(v.z) && finite(v.w);
+}
 bool finite(const glm::mat4& m) {
     return std::all_of(&m[0][0], &m[0][0] + 16, [](float x) { return finite(x); });
 }
@@ -34,8 +37,16 @@ void require(bool holds, const char* list, size_t index, const std::string& name
     throw InputError("{} {}{}: {}", list, index, label, problem);
 }
 
-void check_texture(const Texture& texture, size_t i) {
-    const ByteImage& image = texture.image;
+void check_texture(const Scene& scene, size_t i) {
+    const Texture& texture = scene.textures[i];
+    const int32_t same = texture.same_image_as;
+    const bool earlier = same >= NO_TEXTURE && same < int64_t(i);
+    require(earlier && (same == NO_TEXTURE || !scene.textures[size_t(same)].image.rgba.empty()),
+            "texture", i, texture.name, "the texture whose image it has too is none before it");
+    const UvTransform& t = texture.transform;
+    require(finite(t.offset) && finite(t.scale) && finite(t.rotation), "texture", i, texture.name,
+            "its transform is not finite");
+    const ByteImage& image = image_of(scene.textures, texture);
     require(image.width > 0 && image.height > 0, "texture", i, texture.name, "it has no pixels");
     require(image.rgba.size() == size_t(4) * image.width * image.height, "texture", i, texture.name,
             "its size and its pixels disagree");
@@ -128,6 +139,14 @@ void check_mesh(const Scene& scene, size_t i) {
     check(mesh.normals.empty() || mesh.normals.size() == vertices, "normals are missing");
     check(std::all_of(mesh.normals.begin(), mesh.normals.end(), is_unit), "a normal is not unit");
     check(mesh.uvs.empty() || mesh.uvs.size() == vertices, "texture coordinates are missing");
+    for (const std::vector<glm::vec2>& uvs : mesh.more_uvs) {
+        check(uvs.empty() || uvs.size() == vertices, "texture coordinates are missing");
+        check(all_finite(uvs), "a texture coordinate is not finite");
+    }
+    check(mesh.colors.empty() || mesh.colors.size() == vertices, "vertex colours are missing");
+    check(all_finite(mesh.colors), "a vertex colour is not finite");
+    check(mesh.tangents.empty() || mesh.tangents.size() == vertices, "tangents are missing");
+    check(all_finite(mesh.tangents), "a tangent is not finite");
     check(all_finite(mesh.uvs), "a texture coordinate is not finite");
     check(std::all_of(mesh.triangles.begin(), mesh.triangles.end(), in_range),
           "a triangle names a vertex that does not exist");
@@ -235,7 +254,7 @@ bool has_geometry(const Scene& scene) {
 } // namespace
 
 void check_scene(const Scene& scene) {
-    for (size_t i = 0; i < scene.textures.size(); ++i) check_texture(scene.textures[i], i);
+    for (size_t i = 0; i < scene.textures.size(); ++i) check_texture(scene, i);
     for (size_t i = 0; i < scene.materials.size(); ++i) check_material(scene, i);
     for (size_t i = 0; i < scene.meshes.size(); ++i) check_mesh(scene, i);
     for (size_t i = 0; i < scene.instances.size(); ++i) check_instance(scene, i);

@@ -76,8 +76,8 @@ static Image studio_map() {
 }
 
 /// The mean of a texture's largest colour channel, linear, from every 16th texel.
-static float mean_brightness(const Texture& texture) {
-    const std::vector<uint8_t>& rgba = texture.image.rgba;
+static float mean_brightness(const Scene& scene, const Texture& texture) {
+    const std::vector<uint8_t>& rgba = image_of(scene.textures, texture).rgba;
     double sum = 0.0, count = 0.0;
     for (size_t i = 0; i + 3 < rgba.size(); i += 4 * 16) {
         const float value = float(std::max({rgba[i], rgba[i + 1], rgba[i + 2]})) / 255.0f;
@@ -93,7 +93,8 @@ static bool lights_scene(const Scene& scene, const Material& material) {
     const float emission =
         std::max({material.emission.x, material.emission.y, material.emission.z});
     if (emission <= 0.0f || material.emission_texture == NO_TEXTURE) return emission > 0.0f;
-    return emission * mean_brightness(scene.textures[size_t(material.emission_texture)]) > 0.1f;
+    return emission * mean_brightness(scene, scene.textures[size_t(material.emission_texture)]) >
+           0.1f;
 }
 
 static bool anything_emits(const Scene& scene) {

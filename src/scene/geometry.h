@@ -18,9 +18,21 @@ struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals; ///< per vertex, unit; empty means flat shading
     std::vector<glm::vec2> uvs;     ///< per vertex, v downward as in glTF; may be empty
+    std::vector<std::vector<glm::vec2>> more_uvs; ///< further sets, from set 1; each may be empty
+    std::vector<glm::vec4> colors;   ///< per vertex, linear, 0 to 1; they multiply the base colour
+                                     ///< and its alpha; may be empty
+    std::vector<glm::vec4> tangents; ///< per vertex, unit, w the sign of the bitangent, as in glTF;
+                                     ///< zero where it is to be computed; may be empty
     std::vector<glm::uvec3> triangles;
     std::vector<uint32_t> materials; ///< one per triangle
 };
+
+/// The texture coordinates of a set; empty where the mesh has none.
+inline const std::vector<glm::vec2>& uv_set(const Mesh& mesh, uint32_t set) {
+    static const std::vector<glm::vec2> NONE;
+    if (set == 0) return mesh.uvs;
+    return set <= mesh.more_uvs.size() ? mesh.more_uvs[set - 1] : NONE;
+}
 
 /// A mesh placed in the world. The transform is affine and invertible.
 struct Instance {

@@ -264,6 +264,27 @@ std::vector<glm::uvec4> read_uvec4(const File& file, uint32_t accessor, const st
     return read<glm::uvec4>(file, accessor, user);
 }
 
+std::vector<glm::vec4> read_any_vec4(const File& file, uint32_t accessor, const std::string& user) {
+    return read<glm::vec4>(file, accessor, user);
+}
+
+std::vector<glm::vec4> read_color(const File& file, uint32_t accessor, const std::string& user) {
+    const Accessor& source = at(file, file.document.accessors, accessor, "accessor", user);
+    std::vector<glm::vec4> colors;
+    if (source.components == 3) {
+        const std::vector<glm::vec3> rgb = read<glm::vec3>(file, accessor, user);
+        colors.reserve(rgb.size());
+        for (const glm::vec3& color : rgb) colors.emplace_back(color, 1.0f);
+    } else {
+        colors = read<glm::vec4>(file, accessor, user);
+    }
+    if (source.normalized || source.type == ComponentType::float32) return colors;
+    const float largest = source.type == ComponentType::uint8 ? 255.0f : 65535.0f;
+    const float rgb_only = source.components == 3 ? largest : 1.0f;
+    for (glm::vec4& color : colors) color *= glm::vec4(1, 1, 1, rgb_only) / largest;
+    return colors;
+}
+
 std::vector<uint32_t> read_indices(const File& file, uint32_t accessor, const std::string& user) {
     const Accessor source = accessor_at(file, accessor, user);
     if (!is_unsigned(source.type))

@@ -28,7 +28,8 @@ static constexpr std::array EXTENSIONS{
     Extension{"KHR_materials_specular", Support::ignored},
     Extension{"KHR_materials_transmission", Support::mapped,
               "a dielectric where it is above 0.5 and untextured, else opaque"},
-    Extension{"KHR_materials_unlit", Support::ignored},
+    Extension{"KHR_materials_unlit", Support::read,
+              "its colour shows to every ray; it is no light"},
     Extension{"KHR_materials_variants", Support::read, "those of `--variant`"},
     Extension{"KHR_materials_volume", Support::ignored},
     Extension{"KHR_mesh_quantization", Support::read},
@@ -36,7 +37,7 @@ static constexpr std::array EXTENSIONS{
     Extension{"KHR_node_visibility", Support::read},
     Extension{"KHR_texture_basisu", Support::mapped,
               "the first of its image and PNG or JPEG that can be read"},
-    Extension{"KHR_texture_transform", Support::none},
+    Extension{"KHR_texture_transform", Support::read, "its `texCoord` too"},
     Extension{"KHR_xmp_json_ld", Support::ignored},
     Extension{"MSFT_lod", Support::ignored, "the finest level is shown"},
 };

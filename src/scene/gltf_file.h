@@ -90,6 +90,11 @@ std::vector<float> read_floats(const File& file, uint32_t accessor, uint32_t com
 /// The unsigned integers of an accessor of four components, for joints.
 std::vector<glm::uvec4> read_uvec4(const File& file, uint32_t accessor, const std::string& user);
 
+/// The same of an accessor with three or four components, the fourth 1 where it is missing; may not
+/// be finite. Integers are normalised even where it does not say so, as some exporters forget it.
+std::vector<glm::vec4> read_color(const File& file, uint32_t accessor, const std::string& user);
+std::vector<glm::vec4> read_any_vec4(const File& file, uint32_t accessor, const std::string& user);
+
 /// The unsigned integers of a scalar accessor.
 std::vector<uint32_t> read_indices(const File& file, uint32_t accessor, const std::string& user);
 

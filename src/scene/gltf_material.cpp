@@ -11,7 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
+#include <set>
+#include <vector>
 
 namespace onde::gltf {
 
@@ -35,13 +36,26 @@ class TextureLoader {
 
     File& file_;
     Scene& scene_;
-    std::map<std::tuple<uint32_t, bool, Wrap, Wrap>, int32_t> loaded_;
+    std::map<uint32_t, std::vector<int32_t>> loaded_; ///< the textures of an image
+    std::set<uint32_t> missing_;                      ///< images
 };
+
+constexpr uint32_t MOST_UV_SETS = 256;
 
 Wrap wrap_mode(uint32_t mode) {
     constexpr uint32_t CLAMP_TO_EDGE = 33071, MIRRORED_REPEAT = 33648;
     if (mode == CLAMP_TO_EDGE) return Wrap::clamp;
     return mode == MIRRORED_REPEAT ? Wrap::mirror : Wrap::repeat;
+}
+
+UvTransform read_transform(const JsonReader& source) {
+    UvTransform transform;
+    if (const auto offset = source.vector<2>("offset"))
+        transform.offset = glm::vec2((*offset)[0], (*offset)[1]);
+    if (const auto scale = source.vector<2>("scale"))
+        transform.scale = glm::vec2((*scale)[0], (*scale)[1]);
+    transform.rotation = float(source.number("rotation", 0.0));
+    return transform;
 }
 
 std::optional<std::span<const uint8_t>> TextureLoader::encoded(const ImageSource& image,
@@ -86,12 +100,15 @@ int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_v
     const std::optional<JsonReader> info = part ? part->object(key) : std::nullopt;
     if (!info) return NO_TEXTURE;
     const uint32_t index = info->require("index", info->index("index"));
-    if (info->index("texCoord").value_or(0) != 0) {
-        file_.notes.add("Textures on a second set of texture coordinates are dropped", user);
+    TextureUse use{.srgb = srgb, .uv_set = info->index("texCoord").value_or(0)};
+    if (const auto transform = info->extension("KHR_texture_transform")) {
+        use.uv_set = transform->index("texCoord").value_or(use.uv_set);
+        use.transform = read_transform(*transform);
+    }
+    if (use.uv_set >= MOST_UV_SETS) {
+        file_.notes.wrong("Textures on sets of texture coordinates above 255 are dropped", user);
         return NO_TEXTURE;
     }
-    if (info->extension("KHR_texture_transform"))
-        file_.notes.add("KHR_texture_transform is ignored", user);
     const TextureSource& texture = at(file_, file_.document.textures, index, "texture", user);
     if (!texture.image) {
         file_.notes.add("Textures without a PNG or JPEG image are dropped", user);
@@ -100,15 +117,26 @@ int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_v
     Sampler sampler;
     if (texture.sampler)
         sampler = at(file_, file_.document.samplers, *texture.sampler, "sampler", user);
-    const Wrap u = wrap_mode(sampler.wrap_u), v = wrap_mode(sampler.wrap_v);
-    const auto [found, is_new] = loaded_.try_emplace({*texture.image, srgb, u, v}, NO_TEXTURE);
-    if (!is_new) return found->second;
+    use.wrap_u = wrap_mode(sampler.wrap_u);
+    use.wrap_v = wrap_mode(sampler.wrap_v);
+    constexpr uint32_t NEAREST = 9728;
+    if (sampler.magnify == NEAREST) use.filter = TextureFilter::nearest;
+    std::vector<int32_t>& loaded = loaded_[*texture.image];
+    for (const int32_t known : loaded)
+        if (use_of(scene_.textures[size_t(known)]) == use) return known;
     const ImageSource& image = at(file_, file_.document.images, *texture.image, "image", user);
-    if (auto pixels = decode_any(texture, user)) {
-        found->second = int32_t(scene_.textures.size());
-        scene_.textures.push_back({label_of(image), std::move(*pixels), srgb, u, v});
+    if (!loaded.empty()) {
+        loaded.push_back(add_texture(scene_.textures, label_of(image), {}, use, loaded.front()));
+        return loaded.back();
     }
-    return found->second;
+    if (missing_.contains(*texture.image)) return NO_TEXTURE;
+    auto pixels = decode_any(texture, user);
+    if (!pixels) {
+        missing_.insert(*texture.image);
+        return NO_TEXTURE;
+    }
+    loaded.push_back(add_texture(scene_.textures, label_of(image), std::move(*pixels), use));
+    return loaded.back();
 }
 
 float unit(double value) {
@@ -150,13 +178,27 @@ void apply_metallic_roughness(TextureLoader& textures, const JsonReader& source,
     const std::optional<JsonReader> pbr = source.object("pbrMetallicRoughness");
     material.base_color = glm::vec3(1.0f);
     if (pbr)
-        if (const auto factor = pbr->vector<4>("baseColorFactor"))
+        if (const auto factor = pbr->vector<4>("baseColorFactor")) {
             material.base_color = glm::clamp(rgb(*factor), 0.0f, 1.0f);
+            material.alpha = unit((*factor)[3]);
+        }
     material.metallic = unit(number_in(pbr, "metallicFactor", 1.0));
     material.roughness = unit(number_in(pbr, "roughnessFactor", 1.0));
     material.base_color_texture = textures.load(pbr, "baseColorTexture", true, user);
     material.metallic_roughness_texture =
         textures.load(pbr, "metallicRoughnessTexture", false, user);
+}
+
+void apply_alpha(File& file, const JsonReader& source, const std::string& user,
+                 Material& material) {
+    const std::string mode = source.text("alphaMode").value_or("OPAQUE");
+    if (mode == "MASK")
+        material.alpha_mode = AlphaMode::mask;
+    else if (mode == "BLEND")
+        material.alpha_mode = AlphaMode::blend;
+    else if (mode != "OPAQUE")
+        file.notes.wrong("Unknown alpha modes are taken as OPAQUE", user);
+    material.alpha_cutoff = float(std::max(0.0, source.number("alphaCutoff", 0.5)));
 }
 
 /// Materials of the older model, whose textures are made anew where it has one of reflectances.
@@ -182,6 +224,7 @@ int32_t OldMaterials::add(const Texture& like, ByteImage image, bool srgb) {
     Texture texture = like;
     texture.image = std::move(image);
     texture.srgb = srgb;
+    texture.same_image_as = NO_TEXTURE;
     scene_.textures.push_back(std::move(texture));
     return int32_t(scene_.textures.size() - 1);
 }
@@ -191,8 +234,10 @@ void OldMaterials::apply(const JsonReader& source, const std::string& user, Mate
     if (!old) return;
     file_.notes.add("Specular-glossiness materials are converted to metallic-roughness", user);
     SpecularGlossiness factors;
-    if (const auto diffuse = old->vector<4>("diffuseFactor"))
+    if (const auto diffuse = old->vector<4>("diffuseFactor")) {
         factors.diffuse = glm::clamp(rgb(*diffuse), 0.0f, 1.0f);
+        material.alpha = unit((*diffuse)[3]);
+    }
     if (const auto specular = old->vector<3>("specularFactor"))
         factors.specular = glm::clamp(rgb(*specular), 0.0f, 1.0f);
     factors.glossiness = unit(old->number("glossinessFactor", 1.0));
@@ -207,9 +252,13 @@ void OldMaterials::apply(const JsonReader& source, const std::string& user, Mate
         material.roughness = converted.roughness;
         return;
     }
-    const Texture of_specular = scene_.textures[size_t(specular)];
-    const Texture of_diffuse =
-        diffuse == NO_TEXTURE ? of_specular : scene_.textures[size_t(diffuse)];
+    const auto with_image = [&](int32_t index) {
+        Texture texture = scene_.textures[size_t(index)];
+        texture.image = image_of(scene_.textures, texture);
+        return texture;
+    };
+    const Texture of_specular = with_image(specular);
+    const Texture of_diffuse = with_image(diffuse == NO_TEXTURE ? specular : diffuse);
     const ByteImage white, &colors = diffuse == NO_TEXTURE ? white : of_diffuse.image;
     const uint64_t texels = uint64_t(std::max(colors.width, of_specular.image.width)) *
                             std::max(colors.height, of_specular.image.height);
@@ -229,6 +278,9 @@ void OldMaterials::release_textures() {
         for_each_texture(material, [&](const auto&, int32_t texture) {
             if (texture != NO_TEXTURE) used[size_t(texture)] = true;
         });
+    for (size_t i = 0; i < used.size(); ++i)
+        if (const int32_t owner = scene_.textures[i].same_image_as; owner != NO_TEXTURE)
+            used[size_t(owner)] = used[size_t(owner)] || used[i];
     for (int32_t texture : replaced_)
         if (texture != NO_TEXTURE && !used[size_t(texture)])
             scene_.textures[size_t(texture)].image = {1, 1, {255, 255, 255, 255}};
@@ -244,12 +296,16 @@ Material convert(File& file, TextureLoader& textures, OldMaterials& old_material
     material.emission = glm::vec3(0.0f);
     if (const auto factor = source.vector<3>("emissiveFactor"))
         material.emission = glm::max(rgb(*factor), 0.0f);
-    material.two_sided = source.boolean("doubleSided", false);
+    material.two_sided = material.double_sided = source.boolean("doubleSided", false);
     material.emission_texture = textures.load(source, "emissiveTexture", true, user);
     material.normal_scale = float(number_in(source.object("normalTexture"), "scale", 1.0));
     material.normal_texture = textures.load(source, "normalTexture", false, user);
-    const std::string alpha = source.text("alphaMode").value_or("OPAQUE");
-    if (alpha != "OPAQUE") file.notes.add("Alpha MASK and BLEND are rendered opaque", user);
+    apply_alpha(file, source, user, material);
+    if (source.extension("KHR_materials_unlit")) {
+        material.kind = MaterialKind::unlit;
+        material.emission = glm::vec3(0.0f);
+        return material;
+    }
     apply_emissive_strength(source, material);
     apply_transmission(file, source, material);
     return material;

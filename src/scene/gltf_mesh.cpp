@@ -9,7 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numeric>
+#include <set>
 
 namespace onde::gltf {
 
@@ -62,16 +64,52 @@ std::vector<uint32_t> vertex_order(const File& file, const Primitive& primitive,
     return order;
 }
 
-void note_ignored(File& file, const Primitive& primitive, const std::string& user) {
-    if (attribute(primitive, "COLOR_0")) file.notes.add("Vertex colours are ignored", user);
-    if (attribute(primitive, "TANGENT"))
-        file.notes.add("Tangents are ignored: they follow from the texture coordinates", user);
-    if (attribute(primitive, "TEXCOORD_1"))
-        file.notes.add("A second set of texture coordinates is ignored", user);
+/// The sets of texture coordinates after the first that some texture uses.
+void read_further_uvs(File& file, const Primitive& primitive, const std::set<uint32_t>& sets,
+                      const std::string& user, MeshPart& part) {
+    for (const uint32_t set : sets) {
+        const std::string name = fmt::format("TEXCOORD_{}", set);
+        const Index uvs = attribute(primitive, name.c_str());
+        if (set == 0 || !uvs) continue;
+        const std::string what = fmt::format("{} {}", user, name);
+        part.more_uvs.resize(std::max<size_t>(part.more_uvs.size(), set));
+        part.more_uvs[set - 1] = read_vec2(file, *uvs, what);
+        check_count(file, what, part.more_uvs[set - 1].size(), part.positions.size());
+    }
+}
+
+void read_colors(File& file, const Primitive& primitive, const std::string& user, MeshPart& part) {
+    const Index accessor = attribute(primitive, "COLOR_0");
+    if (!accessor) return;
+    part.colors = read_color(file, *accessor, user + " COLOR_0");
+    check_count(file, user + " COLOR_0", part.colors.size(), part.positions.size());
+    for (glm::vec4& color : part.colors)
+        if (!std::isfinite(color.r + color.g + color.b + color.a)) {
+            color = glm::vec4(1.0f);
+            file.notes.wrong("Vertex colours that are no numbers are white", user);
+        }
+}
+
+/// Those that are no unit vectors with a sign are left to be computed.
+void read_tangents(File& file, const Primitive& primitive, const std::string& user,
+                   MeshPart& part) {
+    const Index accessor = attribute(primitive, "TANGENT");
+    if (!accessor) return;
+    part.tangents = read_any_vec4(file, *accessor, user + " TANGENT");
+    check_count(file, user + " TANGENT", part.tangents.size(), part.positions.size());
+    for (glm::vec4& tangent : part.tangents) {
+        const float length = glm::length(glm::vec3(tangent));
+        if (std::abs(length - 1.0f) < 0.1f && std::abs(tangent.w) == 1.0f) {
+            tangent = glm::vec4(glm::vec3(tangent) / length, tangent.w);
+            continue;
+        }
+        tangent = glm::vec4(0.0f);
+        file.notes.wrong("Tangents that are no unit vectors are computed", user);
+    }
 }
 
 MeshPart convert(File& file, const Primitive& primitive, uint32_t default_material,
-                 const Pose& pose, const std::string& user) {
+                 const std::set<uint32_t>& uv_sets, const Pose& pose, const std::string& user) {
     MeshPart part;
     decode_draco(file, primitive, user);
     part.positions = read_vec3(file, *attribute(primitive, "POSITION"), user + " POSITION");
@@ -82,7 +120,11 @@ MeshPart convert(File& file, const Primitive& primitive, uint32_t default_materi
         part.uvs = read_vec2(file, *uvs, user + " TEXCOORD_0");
     check_count(file, user + " NORMAL", part.normals.size(), vertices);
     check_count(file, user + " TEXCOORD_0", part.uvs.size(), vertices);
+    read_further_uvs(file, primitive, uv_sets, user, part);
+    read_colors(file, primitive, user, part);
+    read_tangents(file, primitive, user, part);
     pose_part(file, primitive, pose, user, part);
+    if (!pose.weights.empty() || !pose.joints.empty()) part.tangents.clear();
     part.triangles = assemble(vertex_order(file, primitive, vertices, user), primitive.mode);
     uint32_t material = default_material;
     if (primitive.material) {
@@ -91,7 +133,6 @@ MeshPart convert(File& file, const Primitive& primitive, uint32_t default_materi
     }
     part.materials.assign(part.triangles.size(), material);
     repair_part(part, user, file.notes);
-    note_ignored(file, primitive, user);
     return part;
 }
 
@@ -150,6 +191,8 @@ Index MeshLoader::load(uint32_t mesh, const Pose& pose, Index skin, const std::s
 
 Index MeshLoader::build(const MeshSource& source, uint32_t mesh, const Pose& pose) {
     const uint32_t default_material = uint32_t(file_.document.materials.size());
+    std::set<uint32_t> uv_sets;
+    for (const Texture& texture : scene_.textures) uv_sets.insert(texture.uv_set);
     std::vector<MeshPart> parts;
     for (size_t p = 0; p < source.primitives.size(); ++p) {
         const std::string user = fmt::format("mesh {} primitive {}", mesh, p);
@@ -163,7 +206,7 @@ Index MeshLoader::build(const MeshSource& source, uint32_t mesh, const Pose& pos
             continue;
         }
         primitive.material = material_of(primitive, variant_);
-        parts.push_back(convert(file_, primitive, default_material, pose, user));
+        parts.push_back(convert(file_, primitive, default_material, uv_sets, pose, user));
         vertices_ += parts.back().positions.size() + parts.back().triangles.size();
         if (vertices_ > MAX_VERTICES)
             throw InputError("{}: more than {} vertices and triangles; split the scene", file_.name,

@@ -24,6 +24,8 @@ void add(Hasher& hasher, const Image& image) {
 }
 
 void add(Hasher& hasher, const Texture& texture) {
+    hasher.value(texture.filter).value(texture.uv_set).value(texture.transform);
+    hasher.value(texture.same_image_as);
     hasher.value(texture.image.width).value(texture.image.height);
     hasher.value(uint32_t(texture.srgb)).value(texture.wrap_u).value(texture.wrap_v);
     hasher.span(std::span<const uint8_t>(texture.image.rgba));
@@ -38,6 +40,10 @@ void add(Hasher& hasher, const Mesh& mesh) {
     add_span(hasher, mesh.positions);
     add_span(hasher, mesh.normals);
     add_span(hasher, mesh.uvs);
+    hasher.value(uint64_t(mesh.more_uvs.size()));
+    for (const std::vector<glm::vec2>& uvs : mesh.more_uvs) add_span(hasher, uvs);
+    add_span(hasher, mesh.colors);
+    add_span(hasher, mesh.tangents);
     add_span(hasher, mesh.triangles);
     add_span(hasher, mesh.materials);
 }

@@ -71,6 +71,15 @@ Sentences notes_of_light_transport(const Scene& scene) {
     return notes;
 }
 
+/// What light tracing and drawing leave out of materials.
+void note_left_out(const Scene& scene, bool alpha_too, Sentences& notes) {
+    const auto any = [&](const auto& is) { return std::ranges::any_of(scene.materials, is); };
+    if (alpha_too && any([](const Material& m) { return m.alpha_mode != AlphaMode::opaque; }))
+        notes.push_back("surfaces with alpha were taken as opaque");
+    if (!alpha_too && any([](const Material& m) { return m.kind == MaterialKind::unlit; }))
+        notes.push_back("unlit surfaces are black: no light comes from them");
+}
+
 Sentences notes_of_whitted(const Scene& scene) {
     Sentences notes;
     const std::string kinds =
@@ -108,6 +117,7 @@ Sentences notes_of_raster(const Scene& scene) {
         notes.push_back(
             fmt::format("surfaces show their own colour; left out: {}", fmt::join(left_out, ", ")));
     if (has_lens(scene)) notes.push_back("the lens was left out: all rays are parallel");
+    note_left_out(scene, true, notes);
     return notes;
 }
 
@@ -116,8 +126,12 @@ Sentences notes_of_raster(const Scene& scene) {
 Sentences mapping_notes(const Scene& scene, IntegratorKind integrator) {
     switch (integrator) {
     case IntegratorKind::path:
-    case IntegratorKind::light:
         return notes_of_light_transport(scene);
+    case IntegratorKind::light: {
+        Sentences notes = notes_of_light_transport(scene);
+        note_left_out(scene, false, notes);
+        return notes;
+    }
     case IntegratorKind::whitted:
         return notes_of_whitted(scene);
     case IntegratorKind::depth_buffer:

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace onde {
 
@@ -19,22 +20,49 @@ constexpr auto enum_words(Wrap) {
                       EnumWord{Wrap::mirror, "mirror"}};
 }
 
-/// An 8-bit RGBA texture; `srgb` says that its colour channels need linearising (alpha never does).
+enum class TextureFilter : uint32_t { linear, nearest };
+
+constexpr auto enum_words(TextureFilter) {
+    return std::array{EnumWord{TextureFilter::linear, "linear"},
+                      EnumWord{TextureFilter::nearest, "nearest"}};
+}
+
+inline constexpr int32_t NO_TEXTURE = -1;
+
+/// From a mesh's texture coordinates to a texture's: scaled, then turned, then moved, as by glTF's
+/// KHR_texture_transform.
+struct UvTransform {
+    glm::vec2 offset{0.0f};
+    float rotation = 0.0f; ///< radians; by it the picture turns clockwise on the surface
+    glm::vec2 scale{1.0f};
+
+    bool operator==(const UvTransform&) const = default;
+    glm::vec2 operator()(glm::vec2 uv) const;
+};
+
+/// One way of using an 8-bit RGBA picture; `srgb` says that its colour channels need linearising
+/// (alpha never does).
 struct Texture {
     std::string name;
-    ByteImage image;
+    ByteImage image; ///< no pixels where it is another texture's; see image_of()
     bool srgb = true;
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
+    TextureFilter filter = TextureFilter::linear;
+    uint32_t uv_set = 0; ///< of the mesh's sets of texture coordinates
+    UvTransform transform{};
+    int32_t same_image_as = NO_TEXTURE; ///< an earlier texture with an image of its own
 };
 
-inline constexpr int32_t NO_TEXTURE = -1;
+/// The picture of a texture, its own or another's.
+const ByteImage& image_of(const std::vector<Texture>& textures, const Texture& texture);
 
 enum class MaterialKind : uint32_t {
     diffuse,    ///< Lambert: base_color is the albedo
     conductor,  ///< GGX with Schlick Fresnel: base_color is the reflectance at normal incidence
     dielectric, ///< GGX glass: exact Fresnel from ior, base_color tints what goes through
     metallic_roughness, ///< the glTF 2.0 mix (appendix B of its specification)
+    unlit,              ///< shows base_color, whatever the light (KHR_materials_unlit)
     phong,              ///< the chapter's, by its Phong numbers; see path_material() for others
 };
 
@@ -43,7 +71,15 @@ constexpr auto enum_words(MaterialKind) {
                       EnumWord{MaterialKind::conductor, "conductor"},
                       EnumWord{MaterialKind::dielectric, "dielectric"},
                       EnumWord{MaterialKind::metallic_roughness, "metallic-roughness"},
+                      EnumWord{MaterialKind::unlit, "unlit"},
                       EnumWord{MaterialKind::phong, "phong"}};
+}
+
+enum class AlphaMode : uint32_t { opaque, mask, blend };
+
+constexpr auto enum_words(AlphaMode) {
+    return std::array{EnumWord{AlphaMode::opaque, "opaque"}, EnumWord{AlphaMode::mask, "mask"},
+                      EnumWord{AlphaMode::blend, "blend"}};
 }
 
 /// Surface appearance. Textures multiply the factor beside them, as in glTF:
@@ -63,6 +99,11 @@ struct Material {
     int32_t emission_texture = NO_TEXTURE;
     int32_t normal_texture = NO_TEXTURE; ///< tangent-space normals, +Y up as in glTF
     float normal_scale = 1.0f;
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    float alpha = 1.0f;        ///< times the base colour texture's alpha and that of the vertices
+    float alpha_cutoff = 0.5f; ///< of AlphaMode::mask
+    bool double_sided = true;  ///< else the camera, and what mirrors and clear glass show of the
+                               ///< scene, see through the back; dielectrics always are
 };
 
 constexpr auto fields_of(TypeTag<Material>) {
@@ -89,6 +130,15 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("normal_texture", &M::normal_texture, "normals in tangent space, +Y up",
               {.form = Form::linear_texture}),
         field("normal_scale", &M::normal_scale, "of the normal texture's x and y"),
+        field("alpha_mode", &M::alpha_mode,
+              "whether rays pass: never, where the alpha is below "
+              "`alpha_cutoff`, or as often as the alpha leaves open"),
+        field("alpha", &M::alpha, "times the alpha of the base colour texture and of the vertices",
+              {.range = UNIT}),
+        field("alpha_cutoff", &M::alpha_cutoff, "of `mask`", {.range = NOT_NEGATIVE}),
+        field("double_sided", &M::double_sided,
+              "else cameras and mirrors see through the back; "
+              "`dielectric` always is"),
         LoaderKey{"wrap", "`\"repeat\"`, `\"clamp\"`, `\"mirror\"`",
                   "how this material's textures go on beyond their edges", "`\"repeat\"`"}};
 }

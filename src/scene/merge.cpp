@@ -35,6 +35,9 @@ AssetOffsets append_assets(Scene& whole, Scene& part) {
         for_each_texture(whole.materials[i], [&](const auto&, int32_t& texture) {
             if (texture != NO_TEXTURE) texture += int32_t(offsets.textures);
         });
+    for (size_t i = offsets.textures; i < whole.textures.size(); ++i)
+        if (int32_t& same = whole.textures[i].same_image_as; same != NO_TEXTURE)
+            same += int32_t(offsets.textures);
     take_shifted(whole.chapter.phong, part.chapter.phong, offsets.materials);
     for (size_t i = offsets.meshes; i < whole.meshes.size(); ++i)
         for (uint32_t& material : whole.meshes[i].materials) material += offsets.materials;

@@ -15,17 +15,30 @@ static glm::vec3 face_normal(const std::vector<glm::vec3>& positions, glm::uvec3
     return length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
 }
 
+/// Calls visit(values of a, values of b) for each attribute of vertices but positions and normals.
+template <class A, class B, class Visit>
+static void for_each_attribute(A& a, B& b, const Visit& visit) {
+    visit(a.uvs, b.uvs, glm::vec2(0.0f));
+    for (size_t i = 0; i < a.more_uvs.size(); ++i)
+        visit(a.more_uvs[i], b.more_uvs[i], glm::vec2(0.0f));
+    visit(a.colors, b.colors, glm::vec4(1.0f));
+    visit(a.tangents, b.tangents, glm::vec4(0.0f));
+}
+
 /// One vertex per corner, each with its face's normal.
-static MeshPart flat_shaded(const MeshPart& part) {
+static MeshPart flat_shaded(MeshPart& part) {
     MeshPart flat;
     flat.materials = part.materials;
+    flat.more_uvs.resize(part.more_uvs.size());
     for (const glm::uvec3& triangle : part.triangles) {
         const uint32_t first = uint32_t(flat.positions.size());
         const glm::vec3 normal = face_normal(part.positions, triangle);
         for (size_t corner = 0; corner < 3; ++corner) {
             flat.positions.push_back(part.positions[triangle[corner]]);
             flat.normals.push_back(normal);
-            if (!part.uvs.empty()) flat.uvs.push_back(part.uvs[triangle[corner]]);
+            for_each_attribute(flat, part, [&](auto& to, const auto& from, const auto&) {
+                if (!from.empty()) to.push_back(from[triangle[corner]]);
+            });
         }
         flat.triangles.push_back(glm::uvec3(first, first + 1, first + 2));
     }
@@ -39,7 +52,9 @@ static void append_part(Mesh& mesh, const MeshPart& part) {
                          MAX_VERTICES);
     mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
     mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
-    mesh.uvs.insert(mesh.uvs.end(), part.uvs.begin(), part.uvs.end());
+    for_each_attribute(mesh, part, [](auto& to, const auto& from, const auto&) {
+        to.insert(to.end(), from.begin(), from.end());
+    });
     for (const glm::uvec3& triangle : part.triangles) mesh.triangles.push_back(triangle + first);
     mesh.materials.insert(mesh.materials.end(), part.materials.begin(), part.materials.end());
 }
@@ -72,13 +87,25 @@ static void note_degenerate(const Mesh& mesh, Notes& notes) {
 Mesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes) {
     const bool normals = std::any_of(parts.begin(), parts.end(),
                                      [](const MeshPart& part) { return !part.normals.empty(); });
-    const bool uvs = std::any_of(parts.begin(), parts.end(),
-                                 [](const MeshPart& part) { return !part.uvs.empty(); });
+    size_t sets = 0;
+    for (const MeshPart& part : parts) sets = std::max(sets, part.more_uvs.size());
+    MeshPart has; // an element in each attribute that some part has
+    has.more_uvs.resize(sets);
+    for (MeshPart& part : parts) {
+        part.more_uvs.resize(sets);
+        if (part.normals.empty()) part.tangents.clear();
+        for_each_attribute(has, part, [](auto& any, const auto& values, const auto& absent) {
+            if (!values.empty() && any.empty()) any.push_back(absent);
+        });
+    }
     Mesh mesh;
     mesh.name = std::move(name);
+    mesh.more_uvs.resize(sets);
     for (MeshPart& part : parts) {
         if (normals && part.normals.empty()) part = flat_shaded(part);
-        if (uvs && part.uvs.empty()) part.uvs.resize(part.positions.size(), glm::vec2(0.0f));
+        for_each_attribute(part, has, [&](auto& values, const auto& any, const auto& absent) {
+            if (!any.empty() && values.empty()) values.resize(part.positions.size(), absent);
+        });
         append_part(mesh, part);
         part = {};
     }

@@ -1,4 +1,5 @@
-// Joins the parts of a mesh as files store them, each with or without normals and uvs, into one.
+// Joins the parts of a mesh as files store them, each with or without normals, texture coordinates
+// and colours, into one.
 #pragma once
 
 #include "scene/notes.h"
@@ -9,8 +10,11 @@ namespace onde {
 /// As Mesh, but normals need not be unit. All indices are in range, all numbers finite.
 struct MeshPart {
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals; ///< per vertex or empty
-    std::vector<glm::vec2> uvs;     ///< per vertex or empty
+    std::vector<glm::vec3> normals;               ///< per vertex or empty
+    std::vector<glm::vec2> uvs;                   ///< per vertex or empty
+    std::vector<std::vector<glm::vec2>> more_uvs; ///< from set 1, each per vertex or empty
+    std::vector<glm::vec4> colors;                ///< per vertex or empty
+    std::vector<glm::vec4> tangents;              ///< per vertex or empty
     std::vector<glm::uvec3> triangles;
     std::vector<uint32_t> materials; ///< one per triangle
 };
@@ -27,8 +31,9 @@ constexpr uint64_t polygon_bytes(uint64_t corners) {
 }
 
 /// One mesh of all parts. Where some parts have normals, the others get one vertex per corner with
-/// the face's normal. Normals are made unit; zero ones are replaced by a face's normal, with a
-/// note. Triangles without area are kept, with a note.
+/// the face's normal; missing texture coordinates are
+/// 0, missing colours white. Tangents go with normals. Normals are made unit; zero ones are
+/// replaced by a face's normal, with a note. Triangles without area are kept, with a note.
 Mesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes);
 
 } // namespace onde

@@ -48,8 +48,9 @@ void repair_part(MeshPart& part, const std::string& user, Notes& notes) {
     }
     if (zero_bad(part.normals))
         notes.wrong("Normals that are no finite numbers are replaced by face normals", user);
-    if (zero_bad(part.uvs))
-        notes.wrong("Texture coordinates that are no finite numbers become 0", user);
+    bool bad_uvs = zero_bad(part.uvs);
+    for (std::vector<glm::vec2>& uvs : part.more_uvs) bad_uvs |= zero_bad(uvs);
+    if (bad_uvs) notes.wrong("Texture coordinates that are no finite numbers become 0", user);
 }
 
 } // namespace onde

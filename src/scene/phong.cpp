@@ -53,6 +53,9 @@ Phong phong_of(const Material& m) {
     case MaterialKind::phong:
         p.exponent = Phong().exponent;
         break;
+    case MaterialKind::unlit: // shows its colour as it would emission
+        p.ambient = p.diffuse = 0.0f;
+        break;
     case MaterialKind::conductor:
         p.reflection = largest(m.base_color);
         p.ambient = p.diffuse = 0.0f;

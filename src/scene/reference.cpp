@@ -43,7 +43,7 @@ std::string kind_text(const FieldRules& rules) {
     if constexpr (std::is_same_v<T, float>) return with_range(number, rules.range);
     if constexpr (std::is_same_v<T, uint32_t>) return with_range("whole number", rules.range);
     if constexpr (std::is_same_v<T, int32_t>)
-        return rules.form == Form::srgb_texture ? "image file (sRGB)" : "image file (linear)";
+        return rules.form == Form::srgb_texture ? "texture (sRGB)" : "texture (linear)";
     if constexpr (std::is_same_v<T, glm::vec2>) return with_range("`[x, y]`", rules.range);
     if constexpr (std::is_same_v<T, glm::vec3>) {
         if (rules.form == Form::degrees) return "`[x, y, z]` in degrees";
@@ -169,6 +169,7 @@ std::vector<ReferenceTable> reference_tables() {
             {"render", key_table<RenderSettings>()},
             {"camera", key_table<Camera>()},
             {"material", key_table<Material>()},
+            {"texture", key_table<TextureFile>()},
             {"phong", key_table<Phong>()},
             {"placement", key_table<Placement>()},
             {"shape", key_table<toml_keys::Shape>()},

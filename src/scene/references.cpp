@@ -55,24 +55,40 @@ std::string decode_uri(const std::string& uri) {
     return text;
 }
 
+TextureUse use_of(const Texture& t) {
+    return {t.srgb, t.wrap_u, t.wrap_v, t.filter, t.uv_set, t.transform};
+}
+
+int32_t add_texture(std::vector<Texture>& textures, std::string name, ByteImage image,
+                    const TextureUse& use, int32_t same_image_as) {
+    textures.push_back({std::move(name), std::move(image), use.srgb, use.wrap_u, use.wrap_v,
+                        use.filter, use.uv_set, use.transform, same_image_as});
+    return int32_t(textures.size() - 1);
+}
+
 int32_t add_texture_file(Scene& scene, LoadContext& context, const fs::path& folder,
                          const std::string& reference, const TextureUse& use,
                          const std::string& where) {
     const fs::path path = context.resolve(folder, reference, where);
+    std::vector<Texture>& textures = scene.textures;
     const auto same = [&](const Texture& texture) {
-        return texture.name == path.string() && texture.srgb == use.srgb &&
-               texture.wrap_u == use.wrap_u && texture.wrap_v == use.wrap_v;
+        return texture.name == path.string() && use_of(texture) == use;
     };
-    const auto found = std::find_if(scene.textures.begin(), scene.textures.end(), same);
-    if (found != scene.textures.end()) return int32_t(found - scene.textures.begin());
+    const auto found = std::ranges::find_if(textures, same);
+    if (found != textures.end()) return int32_t(found - textures.begin());
+    const auto known = std::ranges::find(textures, path.string(), &Texture::name);
+    if (known != textures.end()) {
+        const bool shares = known->same_image_as != NO_TEXTURE;
+        const int32_t owner = shares ? known->same_image_as : int32_t(known - textures.begin());
+        return add_texture(textures, path.string(), {}, use, owner);
+    }
     if (!fs::exists(path))
         throw InputError("{}: the image '{}' does not exist; check the name", where,
                          shown(reference));
     const std::string bytes = read_file(path);
     ByteImage image = decode_byte_image(
         {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, path.string());
-    scene.textures.push_back({path.string(), std::move(image), use.srgb, use.wrap_u, use.wrap_v});
-    return int32_t(scene.textures.size() - 1);
+    return add_texture(textures, path.string(), std::move(image), use);
 }
 
 } // namespace onde

@@ -24,9 +24,22 @@ std::string decode_uri(const std::string& uri);
 struct TextureUse {
     bool srgb = true;
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+    TextureFilter filter = TextureFilter::linear;
+    uint32_t uv_set = 0;
+    UvTransform transform{};
+
+    bool operator==(const TextureUse&) const = default;
 };
 
-/// The index of the texture read from that file, shared with earlier equal uses in `scene`.
+TextureUse use_of(const Texture& texture);
+
+/// Adds a texture to a list: of another's picture where `same_image_as` names one, else of `image`.
+/// Returns its index.
+int32_t add_texture(std::vector<Texture>& textures, std::string name, ByteImage image,
+                    const TextureUse& use, int32_t same_image_as = NO_TEXTURE);
+
+/// The index of the texture read from that file, shared with earlier equal uses in `scene`. A file
+/// is read once, however it is used.
 /// Throws InputError when the file is missing, damaged or outside of the folder.
 int32_t add_texture_file(Scene& scene, LoadContext& context, const std::filesystem::path& folder,
                          const std::string& reference, const TextureUse& use,

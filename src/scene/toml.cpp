@@ -114,8 +114,21 @@ void TomlScene::read_camera(const TableReader& table) {
 
 int32_t TomlScene::texture(const TableReader& table, std::string_view key, bool srgb) {
     const Wrap wrap = table.choice<Wrap>("wrap").value_or(Wrap::repeat);
-    const std::string name = table.require(key, table.text(key));
-    return add_texture_file(scene_, context_, folder_, name, {srgb, wrap, wrap}, table.where(key));
+    if (!table.is_table(key)) {
+        const std::string name = table.require(key, table.text(key));
+        return add_texture_file(scene_, context_, folder_, name, {srgb, wrap, wrap},
+                                table.where(key));
+    }
+    const TableReader inner = table.tables(key).front();
+    const auto read = read_only<toml_keys::TextureFile>(inner);
+    const Wrap own = read.wrap.value_or(wrap);
+    const TextureUse use{.srgb = srgb,
+                         .wrap_u = own,
+                         .wrap_v = own,
+                         .filter = read.filter,
+                         .uv_set = read.uv_set,
+                         .transform = {read.offset, read.rotation, read.scale}};
+    return add_texture_file(scene_, context_, folder_, read.file, use, inner.where("file"));
 }
 
 /// What the table says to Whitted, over what its kind means to it; nothing if it says nothing.

@@ -7,6 +7,7 @@
 #include "scene/fields.h"
 #include "scene/geometry.h"
 #include "scene/light.h"
+#include "scene/material.h"
 #include "scene/settings.h"
 
 #include <glm/glm.hpp>
@@ -24,6 +25,33 @@ struct Film {
 constexpr auto fields_of(TypeTag<Film>) {
     return std::tuple{
         field("size", &Film::size, "width and height in whole pixels", {.range = FILM_SIZE})};
+}
+
+/// A texture of a material, where more is said of it than its file.
+struct TextureFile {
+    std::string file;
+    std::optional<Wrap> wrap;
+    TextureFilter filter = TextureFilter::linear;
+    uint32_t uv_set = 0;
+    glm::vec2 offset{0.0f};
+    float rotation = 0.0f;
+    glm::vec2 scale{1.0f};
+};
+
+constexpr auto fields_of(TypeTag<TextureFile>) {
+    using T = TextureFile;
+    return std::tuple{
+        field("file", &T::file, "an image", {.required = true}),
+        field("wrap", &T::wrap, "beyond its edges", {.absent = "the material's"}),
+        field("filter", &T::filter, "between texels"),
+        field("uv_set", &T::uv_set, "of the mesh's sets of texture coordinates, from 0",
+              {.range = {.low = 0, .high = 255}}),
+        field("scale", &T::scale, "of the texture coordinates: the picture repeats so often"),
+        field("rotation", &T::rotation,
+              "of the scaled coordinates, counter-clockwise in the "
+              "picture",
+              {.form = Form::degrees}),
+        field("offset", &T::offset, "added last")};
 }
 
 /// Scale first, then rotation about X, Y and Z, then position.

@@ -164,6 +164,11 @@ std::vector<std::string> TableReader::texts(std::string_view key) const {
     return result;
 }
 
+bool TableReader::is_table(std::string_view key) const {
+    const toml::node* node = table_->get(key);
+    return node && node->is_table();
+}
+
 bool TableReader::is_array_of_texts(std::string_view key) const {
     const toml::array* array = array_of(*table_, key);
     return array && (array->empty() || !array->get(0)->is_table());

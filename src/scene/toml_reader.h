@@ -58,6 +58,7 @@ class TableReader {
     /// The texts of an array.
     std::vector<std::string> texts(std::string_view key) const;
 
+    bool is_table(std::string_view key) const;
     /// Whether the key holds an array that doesn't begin with a table.
     bool is_array_of_texts(std::string_view key) const;
     /// One reader for a table, one each for an array of tables, none where the key is absent.

@@ -16,10 +16,10 @@
 namespace onde {
 namespace {
 
-/// Whether two materials make the same lights of the surfaces that have them.
-bool same_light(const Material& a, const Material& b) {
+/// Whether two materials make the same lights and tangents of the surfaces that have them.
+bool same_geometry(const Material& a, const Material& b) {
     return a.emission == b.emission && a.emission_texture == b.emission_texture &&
-           a.two_sided == b.two_sided;
+           a.two_sided == b.two_sided && a.normal_texture == b.normal_texture;
 }
 
 /// Whether a film of the one is a beginning of a film of the other.
@@ -212,7 +212,7 @@ void Session::set_material(size_t index, const Material& value) {
         material = before;
         throw;
     }
-    changed(same_light(before, value) ? SceneChange::materials : SceneChange::lights);
+    changed(same_geometry(before, value) ? SceneChange::materials : SceneChange::lights);
 }
 
 void Session::set_instance_transform(size_t index, const glm::mat4& object_to_world) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <set>
 
 namespace onde {
 
@@ -16,16 +17,76 @@ static uint32_t texture_index(int32_t index) {
     return index < 0 ? NO_INDEX : uint32_t(index);
 }
 
+/// The smallest alpha of a picture.
+static float least_alpha(const ByteImage& image) {
+    uint8_t least = 255;
+    for (size_t i = 3; i < image.rgba.size(); i += 4) least = std::min(least, image.rgba[i]);
+    return float(least) / 255.0f;
+}
+
+/// The smallest alpha of the vertices of each material's triangles.
+static std::vector<float> least_vertex_alphas(const Scene& scene) {
+    std::vector<float> least(scene.materials.size(), 1.0f);
+    for (const Mesh& mesh : scene.meshes)
+        for (size_t t = 0; !mesh.colors.empty() && t < mesh.triangles.size(); t++)
+            for (glm::length_t k = 0; k < 3; k++) {
+                float& alpha = least[mesh.materials[t]];
+                alpha = std::min(alpha, mesh.colors[mesh.triangles[t][k]].a);
+            }
+    return least;
+}
+
+namespace {
+
+/// Finds materials whose alpha does nothing: many files say that what is opaque blends.
+class AlphaModes {
+  public:
+    explicit AlphaModes(const Scene& scene) : scene_(scene) {
+        for (const Material& m : scene.materials) used_ |= m.alpha_mode != AlphaMode::opaque;
+        if (used_) vertices_ = least_vertex_alphas(scene);
+        textures_.assign(scene.textures.size(), -1.0f);
+    }
+
+    uint32_t of(uint32_t index) {
+        const Material& m = scene_.materials[index];
+        if (m.alpha_mode == AlphaMode::opaque) return ALPHA_OPAQUE;
+        const float least = m.alpha * vertices_[index] * of_texture(m.base_color_texture);
+        const float enough = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 1.0f;
+        return least >= enough ? ALPHA_OPAQUE : uint32_t(m.alpha_mode);
+    }
+
+  private:
+    float of_texture(int32_t index) {
+        if (index == NO_TEXTURE) return 1.0f;
+        float& least = textures_[size_t(index)];
+        if (least < 0.0f)
+            least = least_alpha(image_of(scene_.textures, scene_.textures[size_t(index)]));
+        return least;
+    }
+
+    const Scene& scene_;
+    bool used_ = false;
+    std::vector<float> vertices_, textures_; ///< least alphas; textures' are -1 until asked for
+};
+
+} // namespace
+
 std::vector<MaterialRecord> pack_materials(const Scene& scene) {
+    static_assert(uint32_t(MaterialKind::unlit) == MATERIAL_UNLIT);
+    static_assert(uint32_t(AlphaMode::mask) == ALPHA_MASK);
+    static_assert(uint32_t(AlphaMode::blend) == ALPHA_BLEND);
     static_assert(uint32_t(MaterialKind::metallic_roughness) == MATERIAL_METALLIC_ROUGHNESS);
     static_assert(uint32_t(MaterialKind::dielectric) == MATERIAL_DIELECTRIC);
     static_assert(uint32_t(MaterialKind::conductor) == MATERIAL_CONDUCTOR);
     std::vector<MaterialRecord> records;
+    AlphaModes alpha_modes(scene);
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         const Material m = path_material(scene, i);
         MaterialRecord record{};
         record.kind = uint32_t(m.kind);
         record.two_sided = m.two_sided;
+        record.alpha_mode = alpha_modes.of(i);
+        record.double_sided = m.double_sided || m.kind == MaterialKind::dielectric;
 #define ONDE_COLOR(name) copy(record.name, m.name);
         MATERIAL_COLORS(ONDE_COLOR)
 #undef ONDE_COLOR
@@ -40,21 +101,51 @@ std::vector<MaterialRecord> pack_materials(const Scene& scene) {
     return records;
 }
 
+std::vector<uint32_t> used_uv_sets(const Scene& scene) {
+    std::set<uint32_t> sets;
+    for (const Texture& texture : scene.textures) sets.insert(texture.uv_set);
+    if (sets.empty()) sets.insert(0);
+    return {sets.begin(), sets.end()};
+}
+
+/// All of a record but the place and size of its texels.
+static TextureRecord texture_record(const Texture& texture, const std::vector<uint32_t>& sets) {
+    TextureRecord record{};
+    record.wrap_u = uint32_t(texture.wrap_u);
+    record.wrap_v = uint32_t(texture.wrap_v);
+    record.filter = uint32_t(texture.filter);
+    record.uv_set = uint32_t(std::ranges::find(sets, texture.uv_set) - sets.begin());
+    const glm::vec2 origin = texture.transform({0, 0});
+    const glm::vec2 x = texture.transform({1, 0}) - origin, y = texture.transform({0, 1}) - origin;
+    copy(record.u, glm::vec3(x.x, y.x, origin.x));
+    copy(record.v, glm::vec3(x.y, y.y, origin.y));
+    return record;
+}
+
 PackedTextures pack_textures(const Scene& scene) {
+    static_assert(uint32_t(TextureFilter::nearest) == FILTER_NEAREST);
     PackedTextures packed;
+    const std::vector<uint32_t> sets = used_uv_sets(scene);
     for (const Texture& texture : scene.textures) {
+        TextureRecord record = texture_record(texture, sets);
+        if (texture.same_image_as != NO_TEXTURE) {
+            const TextureRecord& same = packed.records[size_t(texture.same_image_as)];
+            record.offset = same.offset;
+            record.width = same.width;
+            record.height = same.height;
+            packed.records.push_back(record);
+            continue;
+        }
         const ByteImage& image = texture.image;
         const size_t count = size_t(image.width) * image.height, offset = packed.texels.size();
         if (offset + count > UINT32_MAX)
             throw InputError(
                 "texture {}: all textures together exceed 2^32 texels; use smaller ones",
                 texture.name);
-        packed.records.push_back({uint32_t(offset),
-                                  image.width,
-                                  image.height,
-                                  uint32_t(texture.wrap_u),
-                                  uint32_t(texture.wrap_v),
-                                  {}});
+        record.offset = uint32_t(offset);
+        record.width = image.width;
+        record.height = image.height;
+        packed.records.push_back(record);
         packed.texels.resize(offset + count);
         std::memcpy(&packed.texels[offset], image.rgba.data(), count * 4);
     }

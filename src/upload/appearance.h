@@ -11,6 +11,10 @@ namespace onde {
 
 std::vector<MaterialRecord> pack_materials(const Scene& scene);
 
+/// The sets of texture coordinates that the scene's textures use, ascending; at least one. They are
+/// packed in this order.
+std::vector<uint32_t> used_uv_sets(const Scene& scene);
+
 struct PackedTextures {
     std::vector<TextureRecord> records;
     std::vector<uint32_t> texels; ///< RGBA8, red lowest

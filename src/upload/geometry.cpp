@@ -1,7 +1,9 @@
 #include "upload/geometry.h"
 
+#include "upload/appearance.h"
 #include "upload/emissive.h"
 #include "upload/octahedral.h"
+#include "upload/tangents.h"
 #include "upload/words.h"
 
 #include <algorithm>
@@ -31,24 +33,78 @@ bool mesh_emits(const Scene& scene, const Mesh& mesh) {
     return false;
 }
 
-/// How much of the uv map turns left, and where u grows: the tangent frame of a triangle.
-uint32_t encode_tangent(const glm::vec3 corner[3], const glm::vec2 uv[3], glm::vec3 normal) {
-    const glm::vec3 e1 = corner[1] - corner[0], e2 = corner[2] - corner[0];
-    const glm::vec2 d1 = uv[1] - uv[0], d2 = uv[2] - uv[0];
-    const float turn = d1.x * d2.y - d1.y * d2.x;
-    const float sign = turn < 0 ? -1.0f : 1.0f;
-    const glm::vec3 fallback = std::abs(normal.x) < 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-    const glm::vec3 tangent = unit_or((e1 * d2.y - e2 * d1.y) * sign, fallback);
-    // v runs downward in the picture while +Y of a normal map is up, so that glTF's bitangent,
-    // cross(n, t) * w, has w = -1 where the uv map keeps its orientation on the surface.
-    const glm::vec3 grows_v = (e2 * d1.x - e1 * d2.x) * sign;
-    const bool against = glm::dot(glm::cross(normal, tangent), -grows_v) < 0;
-    return (encode_octahedral(tangent) & ~1u) | uint32_t(against);
+/// What vertices have beside their records, where the scene needs it.
+class VertexAttributes {
+  public:
+    VertexAttributes(const Scene& scene, FlatGeometry& flat)
+        : flat_(flat), further_sets_(used_uv_sets(scene)), first_set_(further_sets_[0]) {
+        further_sets_.erase(further_sets_.begin());
+        for (const Mesh& mesh : scene.meshes) colors_ |= !mesh.colors.empty();
+        for (const Material& m : scene.materials) tangents_ |= m.normal_texture != NO_TEXTURE;
+    }
+
+    bool tangents() const { return tangents_; }
+    uint32_t first_set() const { return first_set_; }
+
+    /// Appends those of vertex i of a mesh, or of none.
+    void add(const Mesh* mesh, uint32_t i, uint32_t tangent) {
+        for (const uint32_t set : further_sets_) {
+            const bool has = mesh && !uv_set(*mesh, set).empty();
+            const glm::vec2 uv = has ? uv_set(*mesh, set)[i] : glm::vec2(0.0f);
+            flat_.uvs.insert(flat_.uvs.end(), {uv.x, uv.y});
+        }
+        if (colors_) {
+            const bool has = mesh && !mesh->colors.empty();
+            const glm::vec4 color = has ? mesh->colors[i] : glm::vec4(1.0f);
+            const glm::vec4 scaled = glm::clamp(color, 0.0f, 1.0f) * 65535.0f + 0.5f;
+            flat_.colors.push_back(uint32_t(scaled.x) | uint32_t(scaled.y) << 16);
+            flat_.colors.push_back(uint32_t(scaled.z) | uint32_t(scaled.w) << 16);
+        }
+        if (tangents_) flat_.tangents.push_back(tangent);
+    }
+
+  private:
+    FlatGeometry& flat_;
+    std::vector<uint32_t> further_sets_;
+    uint32_t first_set_;
+    bool colors_ = false, tangents_ = false;
+};
+
+/// The direction, and in the lowest bit whether w is negative.
+uint32_t encode_tangent(const glm::vec4& tangent) {
+    return (encode_octahedral(glm::vec3(tangent)) & ~1u) | uint32_t(tangent.w < 0);
 }
 
-/// Any of the textures may be, or become, some material's normal map.
-bool needs_tangents(const Scene& scene) {
-    return !scene.textures.empty();
+/// For each corner of a mesh's triangles that have normal maps, by the map's own coordinates; zero
+/// for others, empty where there are none.
+std::vector<glm::vec4> mesh_tangents(const Scene& scene, const Mesh& mesh) {
+    std::vector<uint32_t> mapped; // triangles
+    for (uint32_t t = 0; t < mesh.triangles.size(); t++)
+        if (scene.materials[mesh.materials[t]].normal_texture != NO_TEXTURE) mapped.push_back(t);
+    if (mapped.empty()) return {};
+    std::vector<TangentCorner> corners;
+    corners.reserve(3 * mapped.size());
+    for (const uint32_t t : mapped) {
+        const glm::uvec3 v = mesh.triangles[t];
+        const auto& p = mesh.positions;
+        const int32_t index = scene.materials[mesh.materials[t]].normal_texture;
+        const Texture& texture = scene.textures[size_t(index)];
+        const std::vector<glm::vec2>& uvs = uv_set(mesh, texture.uv_set);
+        const glm::vec3 flat =
+            unit_or(glm::cross(p[v.y] - p[v.x], p[v.z] - p[v.x]), glm::vec3(0, 0, 1));
+        for (glm::length_t k = 0; k < 3; k++)
+            corners.push_back({p[v[k]], mesh.normals.empty() ? flat : mesh.normals[v[k]],
+                               texture.transform(uvs.empty() ? glm::vec2(0.0f) : uvs[v[k]])});
+    }
+    const std::vector<glm::vec4> computed = corner_tangents(corners);
+    std::vector<glm::vec4> tangents(3 * mesh.triangles.size(), glm::vec4(0.0f));
+    for (size_t i = 0; i < mapped.size(); i++)
+        for (size_t k = 0; k < 3; k++) {
+            const uint32_t vertex = mesh.triangles[mapped[i]][glm::length_t(k)];
+            const bool own = !mesh.tangents.empty() && mesh.tangents[vertex].w != 0.0f;
+            tangents[3 * mapped[i] + k] = own ? mesh.tangents[vertex] : computed[3 * i + k];
+        }
+    return tangents;
 }
 
 /// Writes the primitives of one mesh, placed by `transform`, to a geometry's arrays.
@@ -57,18 +113,21 @@ class MeshWriter {
     MeshWriter(const Scene& scene, FlatGeometry& flat, std::vector<glm::vec3>& positions,
                std::vector<glm::uvec3>& triangles)
         : scene_(scene), flat_(flat), positions_(positions), triangles_(triangles),
-          tangents_(needs_tangents(scene)) {}
+          attributes_(scene, flat) {}
 
     void add(const Mesh& mesh, const glm::mat4& transform) {
-        const glm::mat3 linear(transform);
-        normal_matrix_ = glm::transpose(glm::inverse(linear));
-        orientation_ = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
+        linear_ = glm::mat3(transform);
+        normal_matrix_ = glm::transpose(glm::inverse(linear_));
+        orientation_ = glm::determinant(linear_) < 0 ? -1.0f : 1.0f;
         first_ = uint32_t(positions_.size());
         first_vertex_ = uint32_t(flat_.vertices.size());
         for (glm::vec3 p : mesh.positions) positions_.push_back(point(transform, p));
+        tangents_.clear();
+        others_.clear();
+        if (attributes_.tangents()) tangents_ = mesh_tangents(scene_, mesh);
         if (has_vertices(mesh))
             for (uint32_t i = 0; i < mesh.positions.size(); i++)
-                flat_.vertices.push_back(vertex(mesh, i, glm::vec3(0, 0, 1)));
+                add_vertex(mesh, i, vertex(mesh, i, glm::vec3(0, 0, 1)), NO_TANGENT);
         for (size_t i = 0; i < mesh.triangles.size(); i++) {
             triangles_.push_back(mesh.triangles[i] + first_);
             add_surface(mesh, i);
@@ -76,8 +135,16 @@ class MeshWriter {
     }
 
   private:
+    static constexpr uint32_t NO_TANGENT = 0x80008000u; // what no direction is encoded as
+
     static bool has_vertices(const Mesh& mesh) {
-        return !mesh.normals.empty() || !mesh.uvs.empty();
+        return !mesh.normals.empty() || !mesh.uvs.empty() || !mesh.more_uvs.empty() ||
+               !mesh.colors.empty();
+    }
+
+    void add_vertex(const Mesh& mesh, uint32_t i, const VertexRecord& record, uint32_t tangent) {
+        flat_.vertices.push_back(record);
+        attributes_.add(&mesh, i, tangent);
     }
 
     /// A vertex whose normal is `normal` where the mesh has no usable one.
@@ -85,27 +152,39 @@ class MeshWriter {
         VertexRecord record{};
         if (!mesh.normals.empty()) normal = unit_or(normal_matrix_ * mesh.normals[i], normal);
         record.normal = encode_octahedral(normal);
-        if (!mesh.uvs.empty()) copy(record.uv, mesh.uvs[i]);
+        const std::vector<glm::vec2>& uvs = uv_set(mesh, attributes_.first_set());
+        if (!uvs.empty()) copy(record.uv, uvs[i]);
         return record;
     }
 
-    /// The index of a corner's vertex: of its own where the mesh's has no usable normal.
-    uint32_t corner_vertex(const Mesh& mesh, uint32_t corner, glm::vec3 geometric) {
+    /// A corner's tangent in the space of the geometry.
+    uint32_t corner_tangent(size_t corner) const {
+        if (tangents_.empty() || tangents_[corner].w == 0.0f) return NO_TANGENT;
+        const glm::vec3 placed = linear_ * glm::vec3(tangents_[corner]);
+        return encode_tangent(
+            {unit_or(placed, glm::vec3(1, 0, 0)), tangents_[corner].w * orientation_});
+    }
+
+    /// The index of a corner's vertex: of another one where the mesh's has no usable normal, or
+    /// another tangent.
+    uint32_t corner_vertex(const Mesh& mesh, uint32_t corner, glm::vec3 geometric,
+                           uint32_t tangent) {
+        const uint32_t usual = first_vertex_ + corner;
         const VertexRecord own = vertex(mesh, corner, geometric);
-        if (mesh.normals.empty() || own.normal == flat_.vertices[first_vertex_ + corner].normal)
-            return first_vertex_ + corner;
-        flat_.vertices.push_back(own);
-        return uint32_t(flat_.vertices.size() - 1);
+        const bool same = mesh.normals.empty() || own.normal == flat_.vertices[usual].normal;
+        if (same && tangent != NO_TANGENT && flat_.tangents[usual] == NO_TANGENT)
+            flat_.tangents[usual] = tangent;
+        if (same && (tangent == NO_TANGENT || flat_.tangents[usual] == tangent)) return usual;
+        const auto [other, is_new] = others_.try_emplace(std::tuple(corner, own.normal, tangent),
+                                                         uint32_t(flat_.vertices.size()));
+        if (is_new) add_vertex(mesh, corner, own, tangent);
+        return other->second;
     }
 
     void add_surface(const Mesh& mesh, size_t triangle) {
         const glm::uvec3 corners = mesh.triangles[triangle];
         glm::vec3 p[3];
-        glm::vec2 uv[3]{};
-        for (uint32_t k = 0; k < 3; k++) {
-            p[k] = positions_[first_ + corners[k]];
-            if (!mesh.uvs.empty()) uv[k] = mesh.uvs[corners[k]];
-        }
+        for (uint32_t k = 0; k < 3; k++) p[k] = positions_[first_ + corners[k]];
         const glm::vec3 geometric =
             unit_or(glm::cross(p[1] - p[0], p[2] - p[0]) * orientation_, glm::vec3(0, 0, 1));
         const uint32_t material = mesh.materials[triangle];
@@ -117,15 +196,12 @@ class MeshWriter {
         if (has_vertices(mesh)) {
             const uint32_t normal = encode_octahedral(geometric);
             for (uint32_t k = 0; k < 3; k++) {
-                surface.vertex[k] = corner_vertex(mesh, corners[k], geometric);
+                const uint32_t tangent = corner_tangent(3 * triangle + k);
+                surface.vertex[k] = corner_vertex(mesh, corners[k], geometric, tangent);
                 flat &= mesh.normals.empty() || flat_.vertices[surface.vertex[k]].normal == normal;
             }
         }
         surface.tag = material | (flat ? SURFACE_FLAT : 0);
-        if (tangents_) {
-            flat_.tangents.resize(primitive);
-            flat_.tangents.push_back(encode_tangent(p, uv, geometric));
-        }
         if (emits(scene_.materials[material]))
             flat_.emissive.push_back(emissive_triangle(primitive, material, p, orientation_));
         flat_.surfaces.emplace_back().triangle = surface;
@@ -135,9 +211,11 @@ class MeshWriter {
     FlatGeometry& flat_;
     std::vector<glm::vec3>& positions_;
     std::vector<glm::uvec3>& triangles_;
-    bool tangents_; ///< are written
+    VertexAttributes attributes_;
     // Of the mesh that is being added.
-    glm::mat3 normal_matrix_{1.0f};
+    glm::mat3 linear_{1.0f}, normal_matrix_{1.0f};
+    std::vector<glm::vec4> tangents_; ///< by corner of its triangles, or empty
+    std::map<std::tuple<uint32_t, uint32_t, uint32_t>, uint32_t> others_; ///< see corner_vertex()
     float orientation_ = 1.0f;
     uint32_t first_ = 0, first_vertex_ = 0;
 };
@@ -213,6 +291,8 @@ std::vector<bool> meshes_to_instance(const Scene& scene) {
 FlatGeometry flatten_geometry(const Scene& scene) {
     FlatGeometry flat;
     flat.vertices.emplace_back();
+    flat.uv_sets = used_uv_sets(scene);
+    VertexAttributes(scene, flat).add(nullptr, 0, 0);
     const std::vector<bool> instanced = meshes_to_instance(scene);
 
     auto& positions = flat.positions.emplace_back();
@@ -240,7 +320,6 @@ FlatGeometry flatten_geometry(const Scene& scene) {
             flat.placements.push_back({geometry_of[instance.mesh], instance.object_to_world});
     ShapeWriter shapes(scene, flat);
     for (const Shape& shape : scene.shapes) shapes.add(shape);
-    if (needs_tangents(scene)) flat.tangents.resize(flat.surfaces.size());
     return flat;
 }
 

@@ -20,7 +20,10 @@ struct FlatGeometry {
     std::vector<Placement> placements;
     std::vector<SurfaceRecord> surfaces; ///< by primitive id
     std::vector<VertexRecord> vertices;  ///< the first: of triangles that have none of their own
-    std::vector<uint32_t> tangents;      ///< by primitive id, where the scene has textures
+    /// By index of the vertex, each empty where the scene does not need it; see SCENE_BUFFERS.
+    std::vector<float> uvs;
+    std::vector<uint32_t> uv_sets; ///< used_uv_sets()
+    std::vector<uint32_t> colors, tangents;
     std::vector<EmissivePrimitive> emissive;
 
     // What the spans of `geometries` point to.

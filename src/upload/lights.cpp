@@ -29,25 +29,36 @@ struct WeightedLights {
     }
 };
 
+/// A vertex's coordinates in the set that a texture uses.
+glm::vec2 vertex_uv(const Texture& texture, const FlatGeometry& flat, uint32_t vertex) {
+    const std::vector<uint32_t>& sets = flat.uv_sets;
+    const size_t set = size_t(std::ranges::find(sets, texture.uv_set) - sets.begin());
+    const float* uv = flat.vertices[vertex].uv;
+    if (set > 0) uv = &flat.uvs[2 * (vertex * (sets.size() - 1) + set - 1)];
+    return {uv[0], uv[1]};
+}
+
 /// Mean luminance of a triangle's emission texture, from its nearest texels at a grid of points.
 double mean_texture(const Scene& scene, int32_t index, const FlatGeometry& flat,
                     const TriangleSurface& surface) {
     constexpr int STEPS = 12;
     static const std::vector<float> linear = srgb_table();
-    const ByteImage& image = scene.textures[size_t(index)].image;
+    const Texture& texture = scene.textures[size_t(index)];
+    const ByteImage& image = image_of(scene.textures, texture);
     const auto texel = [&](float t, uint32_t size) {
         return std::min(uint32_t((t - std::floor(t)) * float(size)), size - 1);
     };
-    const float* uv[3];
-    for (int k = 0; k < 3; k++) uv[k] = flat.vertices[surface.vertex[k]].uv;
+    glm::vec2 uv[3];
+    for (int k = 0; k < 3; k++)
+        uv[k] = texture.transform(vertex_uv(texture, flat, surface.vertex[k]));
     double sum = 0;
     int count = 0;
     for (int i = 0; i < STEPS; i++)
         for (int j = 0; i + j < STEPS; j++, count++) {
             const float b1 = (float(i) + 0.33f) / STEPS, b2 = (float(j) + 0.33f) / STEPS;
-            const float u = uv[0][0] * (1 - b1 - b2) + uv[1][0] * b1 + uv[2][0] * b2;
-            const float v = uv[0][1] * (1 - b1 - b2) + uv[1][1] * b1 + uv[2][1] * b2;
-            const size_t at = size_t(texel(v, image.height)) * image.width + texel(u, image.width);
+            const glm::vec2 at_uv = uv[0] * (1 - b1 - b2) + uv[1] * b1 + uv[2] * b2;
+            const size_t at =
+                size_t(texel(at_uv.y, image.height)) * image.width + texel(at_uv.x, image.width);
             const uint8_t* rgba = &image.rgba[4 * at];
             sum += luminance({linear[rgba[0]], linear[rgba[1]], linear[rgba[2]]});
         }

@@ -16,6 +16,13 @@ std::vector<std::string> SceneFeatures::defines() const {
             fmt::format("ONDE_SHAPES={:d}", shapes),
             fmt::format("ONDE_TEXTURES={:d}", textures),
             fmt::format("ONDE_NORMAL_MAPS={:d}", normal_maps),
+            fmt::format("ONDE_UV_SETS={}", uv_sets),
+            fmt::format("ONDE_TEXTURE_TRANSFORMS={:d}", texture_transforms),
+            fmt::format("ONDE_NEAREST_FILTERS={:d}", nearest_filters),
+            fmt::format("ONDE_VERTEX_COLORS={:d}", vertex_colors),
+            fmt::format("ONDE_ALPHA={:d}", alpha),
+            fmt::format("ONDE_CULLING={:d}", culling),
+            fmt::format("ONDE_PASSING={:d}", alpha || culling),
             fmt::format("ONDE_KINDS={}", kinds),
             fmt::format("ONDE_LIGHTS={}", lights),
             fmt::format("ONDE_ENVIRONMENT={:d}", environment),
@@ -34,6 +41,16 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         features.normal_maps |= scene.materials[i].normal_texture != NO_TEXTURE;
         features.kinds |= 1u << uint32_t(path_material(scene, i).kind);
+    }
+    features.uv_sets = uint32_t(used_uv_sets(scene).size());
+    for (const Texture& texture : scene.textures) {
+        features.texture_transforms |= texture.transform != UvTransform{};
+        features.nearest_filters |= texture.filter == TextureFilter::nearest;
+    }
+    features.vertex_colors = !packed.colors.empty();
+    for (const MaterialRecord& material : packed.materials) {
+        features.alpha |= material.alpha_mode != ALPHA_OPAQUE;
+        features.culling |= !material.double_sided;
     }
     for (const LightRecord& light : packed.lights) features.lights |= 1u << light.kind;
     features.environment = packed.environment_light != NO_INDEX;
@@ -67,6 +84,8 @@ static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry 
     packed.environment_light = lights.environment;
     packed.surfaces = std::move(flat.surfaces);
     packed.vertices = std::move(flat.vertices);
+    packed.uvs = std::move(flat.uvs);
+    packed.colors = std::move(flat.colors);
     packed.tangents = std::move(flat.tangents);
 }
 

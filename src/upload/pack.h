@@ -20,8 +20,12 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
 struct SceneFeatures {
     bool instances = false, spheres = false, shapes = false, textures = false, normal_maps = false;
     bool environment = false;
-    uint32_t kinds = 0;  ///< bits by MATERIAL_...
-    uint32_t lights = 0; ///< bits by LIGHT_...
+    uint32_t uv_sets = 1; ///< of texture coordinates
+    bool texture_transforms = false, nearest_filters = false, vertex_colors = false;
+    bool alpha = false;   ///< some surface lets rays pass
+    bool culling = false; ///< cameras see through the back of some surface
+    uint32_t kinds = 0;   ///< bits by MATERIAL_...
+    uint32_t lights = 0;  ///< bits by LIGHT_...
     uint32_t stack_size = 1;
     bool watertight = false;
     BvhLayout layout = BvhLayout::wide;

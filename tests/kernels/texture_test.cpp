@@ -72,14 +72,66 @@ TEST_CASE("textures are bilinear under every wrap mode, and colours linear befor
             in[1][size_t(i + 20)] = float(i) / 8;
             in[2][size_t(i + 60)] = float(i) / 8;
         }
-        const Columns out = probe.run("texture", in, 6);
+        const Columns out = probe.run("texture", in, 7);
         for (size_t k = 0; k < 6; k++) {
             const auto wanted = [&](size_t i) {
                 return look_up(scene.textures[t], in[1][i], in[2][i], k % 3, k >= 3);
             };
             CHECK(worst_difference(out[k], wanted, 5e-6) == "");
         }
+        const auto alpha = [&](size_t i) {
+            return look_up(scene.textures[t], in[1][i], in[2][i], 3, false);
+        };
+        CHECK(worst_difference(out[6], alpha, 5e-6) == "");
     }
+}
+
+TEST_CASE("the nearest texel is taken where the texture says so, under every wrap mode") {
+    Scene scene = textured_scene();
+    for (Texture& texture : scene.textures) texture.filter = TextureFilter::nearest;
+    SceneProbe probe(scene, {"texture"});
+    Generator generator(53);
+    for (uint32_t t = 0; t < scene.textures.size(); t++) {
+        INFO("texture " << t);
+        const Texture& texture = scene.textures[t];
+        Columns in{word_column(COUNT, t), uniform_column(generator, COUNT, -2.5f, 3.5f),
+                   uniform_column(generator, COUNT, -2.5f, 3.5f)};
+        in[1][0] = in[2][0] = 1.0f;
+        const Columns out = probe.run("texture", in, 7);
+        const auto at = [&](float x, uint32_t size, Wrap wrap) {
+            return wrap_index(int64_t(std::floor(double(x) * size)), size, wrap);
+        };
+        size_t wrong = 0; // next to a texel's edge rounding decides
+        for (size_t i = 0; i < COUNT; i++) {
+            const ByteImage& image = texture.image;
+            const size_t texel = at(in[2][i], image.height, texture.wrap_v) * image.width +
+                                 at(in[1][i], image.width, texture.wrap_u);
+            wrong += std::abs(out[0][i] - image.rgba[4 * texel] / 255.0f) > 1e-6f ||
+                     std::abs(out[6][i] - image.rgba[4 * texel + 3] / 255.0f) > 1e-6f;
+        }
+        CHECK(wrong < COUNT / 1000);
+    }
+}
+
+TEST_CASE("texture coordinates are scaled, turned and moved as their texture says") {
+    Scene scene = textured_scene();
+    const UvTransform transform{{0.3f, -0.2f}, 0.7f, {2.0f, -1.5f}};
+    for (Texture& texture : scene.textures) texture.transform = transform;
+    SceneProbe probe(scene, {"texture"});
+    SceneProbe plain(textured_scene(), {"texture"});
+    Generator generator(54);
+    const Columns in{word_column(COUNT, 4), uniform_column(generator, COUNT, -1, 1),
+                     uniform_column(generator, COUNT, -1, 1)};
+    Columns moved = in;
+    for (size_t i = 0; i < COUNT; i++) {
+        const glm::vec2 uv = transform({in[1][i], in[2][i]});
+        moved[1][i] = uv.x;
+        moved[2][i] = uv.y;
+    }
+    const Columns out = probe.run("texture", in, 7), wanted = plain.run("texture", moved, 7);
+    for (size_t k = 0; k < 7; k++)
+        CHECK(worst_difference(
+                  out[k], [&](size_t i) { return double(wanted[k][i]); }, 2e-5) == "");
 }
 
 TEST_CASE("lanes without a texture get ones, beside lanes that have one") {
@@ -87,12 +139,12 @@ TEST_CASE("lanes without a texture get ones, beside lanes that have one") {
     Columns in(3, constant_column(COUNT, 0.3f));
     for (size_t i = 0; i < COUNT; i++) in[0][i] = word(i % 3 ? uint32_t(i % 10) : NO_INDEX);
     SceneProbe scalar(scene, {"texture"});
-    const Columns one = scalar.run("texture", in, 6);
-    for (size_t k = 0; k < 6; k++)
+    const Columns one = scalar.run("texture", in, 7);
+    for (size_t k = 0; k < 7; k++)
         for (size_t i = 0; i < COUNT; i += 3) REQUIRE(one[k][i] == 1.0f);
     for (uint32_t width : {8u, 16u}) {
         SceneProbe wide(scene, {"texture"}, width);
-        CHECK(first_bit_difference(wide.run("texture", in, 6), one) == "");
+        CHECK(first_bit_difference(wide.run("texture", in, 7), one) == "");
     }
 }
 
@@ -102,7 +154,7 @@ TEST_CASE("texture coordinates that are huge or not finite read some texel") {
     SceneProbe probe(textured_scene(), {"texture"});
     for (uint32_t t = 0; t < 10; t++) {
         const Columns out =
-            probe.run("texture", {word_column(wild.size(), t), wild, Column(wild.size(), 0.5f)}, 6);
+            probe.run("texture", {word_column(wild.size(), t), wild, Column(wild.size(), 0.5f)}, 7);
         for (size_t i = 0; i < wild.size(); i++) {
             INFO("texture " << t << " at " << wild[i] << " is " << out[0][i]);
             CHECK((std::isnan(out[0][i]) || (out[0][i] >= 0 && out[0][i] <= 1)));

@@ -24,7 +24,7 @@ Texture row(std::vector<uint8_t> codes, Wrap wrap, bool srgb) {
 }
 
 float at(const Texture& texture, float u) {
-    return TextureMap(texture).sample({u, 0.3f}).g;
+    return TextureMap(texture, texture.image).sample({u, 0.3f}).g;
 }
 
 Scene with_normal_map(uint8_t r, uint8_t g, uint8_t b, float scale) {

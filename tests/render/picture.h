@@ -34,7 +34,8 @@ inline RenderOptions small_options(uint32_t width, uint32_t height, uint32_t sam
     return options;
 }
 
-/// Kernels that can do everything, so that all scenes of a test share one compiled program.
+/// Kernels that can do everything but what scenes seldom need, so that all scenes of a test share
+/// one compiled program.
 inline SceneFeatures all_features() {
     return {.instances = true,
             .spheres = true,
@@ -74,7 +75,14 @@ inline Picture render_by(const Scene& scene, const DeviceScene& placed,
 /// A complete scene (see complete_scene) on the device, with kernels that can do everything.
 inline DeviceScene place_on_device(const Scene& scene) {
     PackedScene packed = pack_scene(scene);
+    const SceneFeatures own = packed.features;
     packed.features = all_features();
+    packed.features.alpha = own.alpha;
+    packed.features.culling = own.culling;
+    packed.features.uv_sets = own.uv_sets;
+    packed.features.texture_transforms = own.texture_transforms;
+    packed.features.nearest_filters = own.nearest_filters;
+    packed.features.vertex_colors = own.vertex_colors;
     return DeviceScene(device(), std::move(packed));
 }
 

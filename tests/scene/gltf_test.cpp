@@ -134,7 +134,7 @@ TEST_CASE("a sparse accessor replaces the elements that it names") {
 }
 
 TEST_CASE(
-    "glTF materials keep their factors, and a texture used for colour and data is stored twice") {
+    "glTF materials keep their factors, and a picture used for colour and data is stored once") {
     const Scene scene = load_quad(quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
   "materials": [{"name": "paint", "emissiveFactor": [0.5, 0.25, 0],
     "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}},
@@ -152,7 +152,10 @@ TEST_CASE(
     REQUIRE(scene.textures.size() == 2);
     const Texture& color = scene.textures[size_t(paint.base_color_texture)];
     CHECK(color.srgb);
-    CHECK_FALSE(scene.textures[size_t(paint.metallic_roughness_texture)].srgb);
+    const Texture& data = scene.textures[size_t(paint.metallic_roughness_texture)];
+    CHECK_FALSE(data.srgb);
+    CHECK(data.same_image_as == paint.base_color_texture);
+    CHECK(data.image.rgba.empty());
     CHECK(color.wrap_u == Wrap::clamp);
     CHECK(color.wrap_v == Wrap::mirror);
     CHECK(color.image.rgba == std::vector<uint8_t>{64, 128, 255, 255});
@@ -204,23 +207,116 @@ TEST_CASE("untextured transmission above one half becomes glass with its index o
     CHECK(has_note(scene, "glass"));
 }
 
-TEST_CASE("alpha and unknown optional extensions are reported in notes") {
-    const Scene scene = load_quad(quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
-  "extensionsUsed": ["EXT_shiny"], "materials": [{"alphaMode": "BLEND"}])"));
-    CHECK(has_note(scene, "BLEND"));
+TEST_CASE("unknown optional extensions are reported in notes") {
+    const Scene scene =
+        load_quad(quad_gltf(R"([{"mesh": 0}])", "", R"(, "extensionsUsed": ["EXT_shiny"])"));
     CHECK(has_note(scene, "EXT_shiny"));
 }
 
-TEST_CASE("vertex attributes that are ignored are reported in notes") {
-    const auto with = [](const std::string& name) {
-        std::string gltf = quad_gltf();
-        gltf.replace(gltf.find("\"TEXCOORD_0\""), 12, "\"" + name + "\": 2, \"TEXCOORD_0\"");
-        return load_quad(gltf);
+TEST_CASE("alpha modes, sides and unlit materials of glTF are kept") {
+    const Scene scene = load_quad(quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
+  "materials": [
+    {"alphaMode": "BLEND", "doubleSided": true,
+     "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.25]}},
+    {"alphaMode": "MASK", "alphaCutoff": 0.75},
+    {"alphaMode": "MASK", "emissiveFactor": [1, 1, 1],
+     "extensions": {"KHR_materials_unlit": {}}}])"));
+    CHECK(scene.materials[0].alpha_mode == AlphaMode::blend);
+    CHECK(scene.materials[0].alpha == 0.25f);
+    CHECK(scene.materials[0].double_sided);
+    CHECK(scene.materials[1].alpha_mode == AlphaMode::mask);
+    CHECK(scene.materials[1].alpha_cutoff == 0.75f);
+    CHECK_FALSE(scene.materials[1].double_sided);
+    CHECK(scene.materials[2].alpha_cutoff == 0.5f);
+    CHECK(scene.materials[2].kind == MaterialKind::unlit);
+    CHECK(scene.materials[2].emission == glm::vec3(0));
+}
+
+TEST_CASE("a glTF texture has the filter, the set and the transform of its use") {
+    const Scene scene = load_quad(quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
+  "extensionsRequired": ["KHR_texture_transform"],
+  "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 3,
+      "extensions": {"KHR_texture_transform": {"offset": [0.5, 0], "scale": [2, 3],
+                                               "rotation": 1.5707963267948966, "texCoord": 1}}}},
+    "emissiveTexture": {"index": 0, "texCoord": 2}}],
+  "samplers": [{"magFilter": 9728}],
+  "textures": [{"source": 0, "sampler": 0}], "images": [{"uri": "blue.png"}])"));
+    REQUIRE(scene.textures.size() == 2);
+    const Texture& base = scene.textures[size_t(scene.materials[0].base_color_texture)];
+    CHECK(base.filter == TextureFilter::nearest);
+    CHECK(base.uv_set == 1);
+    // Scaled to (2, 6), turned to (6, -2), moved.
+    CHECK(glm::length(base.transform({1, 2}) - glm::vec2(6.5f, -2)) < 1e-5f);
+    const Texture& glow = scene.textures[size_t(scene.materials[0].emission_texture)];
+    CHECK(glow.uv_set == 2);
+    CHECK(glow.transform == UvTransform{});
+    CHECK(glow.same_image_as == 0);
+}
+
+TEST_CASE("sets of texture coordinates are read where a texture uses them") {
+    const auto uvs = [](const std::string& material) {
+        std::string gltf = quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)",
+                                     R"(,
+  "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0)" +
+                                         material + R"(}}}],
+  "textures": [{"source": 0}], "images": [{"uri": "blue.png"}])");
+        gltf.replace(gltf.find("\"TEXCOORD_0\""), 12, "\"TEXCOORD_2\": 2, \"TEXCOORD_0\"");
+        return load_quad(gltf).meshes[0].more_uvs;
     };
-    CHECK(has_note(with("TANGENT"), "Tangents are ignored"));
-    CHECK(has_note(with("TEXCOORD_1"), "second set"));
-    CHECK(has_note(with("COLOR_0"), "Vertex colours"));
-    CHECK_FALSE(has_note(with("NORMAL_2"), "ignored"));
+    CHECK(uvs("").empty());
+    REQUIRE(uvs(R"(, "texCoord": 2)").size() == 2);
+    CHECK(uvs(R"(, "texCoord": 2)")[1][1] == glm::vec2(1, 1));
+}
+
+/// A triangle with an attribute of four elements a vertex, of that component type.
+static Mesh with_attribute(const std::string& name, const std::string& bytes, int type,
+                           const std::string& elements, const std::string& normalized) {
+    ScratchFolder folder;
+    folder.write("a.bin",
+                 bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1}) + bytes);
+    return load_scene(folder.write("a.gltf", R"({"asset": {"version": "2.0"},
+  "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+  "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, ")" +
+                                                 name + R"(": 2}}]}],
+  "buffers": [{"uri": "a.bin", "byteLength": )" + std::to_string(72 + bytes.size()) +
+                                                 R"(}],
+  "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36},
+                  {"buffer": 0, "byteOffset": 72, "byteLength": )" +
+                                                 std::to_string(bytes.size()) +
+                                                 R"(}],
+  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"},
+                {"bufferView": 2, "componentType": )" +
+                                                 std::to_string(type) +
+                                                 R"(, "count": 3, "type": ")" + elements + "\"" +
+                                                 normalized + "}]}"))
+        .meshes[0];
+}
+
+TEST_CASE("vertex colours of glTF have three or four numbers, of any normalised type") {
+    const auto mesh =
+        with_attribute("COLOR_0", bytes_of<uint8_t>({0, 51, 255, 51, 0, 0, 0, 0, 0, 0, 0, 0}), 5121,
+                       "VEC4", R"(, "normalized": true)");
+    REQUIRE(mesh.colors.size() == 3);
+    CHECK(mesh.colors[0] == glm::vec4(0, 0.2f, 1, 0.2f));
+    const auto floats = with_attribute(
+        "COLOR_0", bytes_of<float>({0.5f, 0.25f, 1, 0, 0, 0, 0, 0, 0}), 5126, "VEC3", "");
+    CHECK(floats.colors[0] == glm::vec4(0.5f, 0.25f, 1, 1));
+    // An exporter that forgot to say that they are normalised.
+    const auto forgot = with_attribute(
+        "COLOR_0", bytes_of<uint16_t>({65535, 0, 13107, 65535, 0, 0, 0, 0, 0, 0, 0, 0}), 5123,
+        "VEC4", "");
+    CHECK(glm::length(forgot.colors[0] - glm::vec4(1, 0, 0.2f, 1)) < 1e-6f);
+}
+
+TEST_CASE("tangents of glTF are read, and those that are none are left to be computed") {
+    const float nan = std::nanf("");
+    const auto mesh = with_attribute(
+        "TANGENT", bytes_of<float>({0, 1, 0, -1, 0, 0, 0, 1, nan, 0, 0, 1}), 5126, "VEC4", "");
+    REQUIRE(mesh.tangents.size() == 3);
+    CHECK(mesh.tangents[0] == glm::vec4(0, 1, 0, -1));
+    CHECK(mesh.tangents[1] == glm::vec4(0));
+    CHECK(mesh.tangents[2] == glm::vec4(0));
 }
 
 TEST_CASE("a glTF camera keeps its field of view and loses its node's scale") {

@@ -33,8 +33,8 @@ INLINE float3 color_at(RasterView view, SceneView scene, const Primitive* p, uin
 #if ONDE_TEXTURES
     const uint texture = view.materials[material].texture;
     if (texture == NO_INDEX || p->round) return color;
-    const real3 factor =
-        texture_color(scene, texture, triangle_uv(view, &p->triangle, column, row));
+    const real3 factor = texture_color(
+        scene, texture, same_in_all_sets(triangle_uv(view, &p->triangle, column, row)));
     return color * (float3)(factor.x, factor.y, factor.z);
 #else
     return color;

@@ -11,7 +11,7 @@
 
 #define ESTIMATOR_TREE 1
 #define ESTIMATOR_EMITS 0
-#define ESTIMATOR_TRANSLUCENT ONDE_TRANSLUCENT
+#define ESTIMATOR_TRANSLUCENT (ONDE_TRANSLUCENT || ONDE_ALPHA)
 #define ESTIMATOR_CONNECTS_START 0
 #define ESTIMATOR_SPLATS 0
 #define ESTIMATOR_COLUMNS WHITTED_COLUMNS
@@ -133,9 +133,34 @@ OUTLINED Step estimator_vertex(Estimator e, State ray, Hits hits, natural id, ui
     return step;
 }
 
-INLINE float estimator_transmittance(Estimator e, float3 origin, float3 direction, float distance) {
-    return ray_transmittance(e.view, e.w.phong, origin, direction, distance);
+#if ESTIMATOR_TRANSLUCENT
+INLINE real estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
+                                    mask lanes) {
+    SpilledRays rays;
+    spill_rays(&rays, origin, direction);
+    float end[ONDE_WIDTH], through[ONDE_WIDTH];
+    spill_real(end, distance);
+    spill_real(through, (real)(0.0f));
+    for (uint bits = mask_bits(lanes); bits; bits &= bits - 1) {
+        const uint k = lowest_bit(bits);
+        through[k] = source_transmittance(e.view, e.w.phong, spilled_origin(&rays, k),
+                                          spilled_direction(&rays, k), end[k]);
+    }
+    return unspill_real(through);
 }
+#endif
+
+#if ONDE_PASSING
+// A ray of a tree is known by its place and direction: what it passes is drawn by a hash of them.
+INLINE Hits estimator_pass(Estimator e, State ray, Hits hits, natural id, uint bounce, mask lanes) {
+    natural key = job_pixel(e.job, id) + hash_natural(job_sample(e.job, id));
+    key = hash_natural(key ^ as_natural(ray.direction.x)) ^ as_natural(ray.direction.y);
+    key = hash_natural(key ^ as_natural(ray.direction.z)) ^ as_natural(ray.origin.x);
+    key = hash_natural(key ^ as_natural(ray.origin.y)) ^ as_natural(ray.origin.z);
+    const real u = unit_real(hash_natural(key));
+    return pass_surfaces(e.view, ray.origin, ray.direction, hits, u, lanes, lanes);
+}
+#endif
 
 // The next child of nodes; children that do not exist are passed over one by one.
 INLINE WhittedChild next_child(WhittedView w, WhittedVertex v, Node node, mask lanes) {

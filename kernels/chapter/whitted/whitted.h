@@ -101,7 +101,10 @@ INLINE real3 arrival_factor(WhittedView w, WhittedRay ray, WhittedVertex v) {
 }
 
 INLINE real3 phong_color(SceneView view, WhittedView w, WhittedVertex v) {
-    const real3 color = make3(PHONG(w, v, color[0]), PHONG(w, v, color[1]), PHONG(w, v, color[2]));
+    real3 color = make3(PHONG(w, v, color[0]), PHONG(w, v, color[1]), PHONG(w, v, color[2]));
+#if ONDE_VERTEX_COLORS
+    color = mul3(color, v.surface.tint);
+#endif
 #if ONDE_TEXTURES
     return mul3(color, texture_color(view, as_natural(PHONG(w, v, texture)), v.surface.uv));
 #else
@@ -171,7 +174,12 @@ INLINE real3 ambient_light(WhittedView w, WhittedVertex v, real3 color) {
 
 INLINE real3 surface_emission(SceneView view, WhittedVertex v, mask lanes) {
     const mask emits = lanes & material_emits(view, v.surface.material, v.surface.front);
-    return choose(emits, material_emission(view, v.surface.material, v.surface.uv), zero3());
+    real3 shown = choose(emits, material_emission(view, v.surface.material, v.surface.uv), zero3());
+    if (HAS_UNLIT) {
+        const mask unlit = lanes & is_unlit(view, v.surface.material);
+        if_any (unlit) shown = choose(unlit, add3(shown, material_color(view, v.surface)), shown);
+    }
+    return shown;
 }
 
 INLINE real3 whitted_background(SceneView view, WhittedView w, real3 direction) {

@@ -10,8 +10,8 @@ INLINE FlatLight disk_light(SceneView view, natural light) {
 }
 
 INLINE LightSample disk_light_sample(SceneView view, natural light, real3 from, real2 u) {
-    return flat_sample(view, disk_light(view, light), sample_disk(u),
-                       make2((real)(0.0f), (real)(0.0f)), from);
+    return flat_sample(view, disk_light(view, light), sample_disk(u), no_uvs(),
+                       light_opacity(view, light), from);
 }
 INLINE real disk_light_pdf(SceneView view, natural light, real3 from, real3 direction, real t,
                            Surface s) {
@@ -19,8 +19,8 @@ INLINE real disk_light_pdf(SceneView view, natural light, real3 from, real3 dire
 }
 INLINE Emission disk_light_emit(SceneView view, __global const LightTracingRecord* setup,
                                 natural light, real pmf, EmissionNumbers u) {
-    return flat_emit(view, disk_light(view, light), sample_disk(u.point),
-                     make2((real)(0.0f), (real)(0.0f)), pmf, u);
+    return flat_emit(view, disk_light(view, light), sample_disk(u.point), no_uvs(),
+                     light_opacity(view, light), pmf, u);
 }
 
 #endif

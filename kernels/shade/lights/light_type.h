@@ -44,6 +44,14 @@ typedef struct {
 #define LIGHT_FIELD3(view, light, field) RECORD3(view.lights, light, LightRecord, as.field)
 #define LIGHT_MATERIAL(view, light) RECORD_NATURAL(view.lights, light, LightRecord, material)
 
+// Of lights without texture coordinates.
+INLINE UvSets no_uvs(void) {
+    return same_in_all_sets(make2((real)(0.0f), (real)(0.0f)));
+}
+INLINE real light_opacity(SceneView view, natural light) {
+    return material_opacity(view, LIGHT_MATERIAL(view, light), no_uvs(), (real)(1.0f));
+}
+
 OVERLOAD LightSample choose(mask m, LightSample a, LightSample b) {
     LightSample s;
     s.direction = choose(m, a.direction, b.direction);

@@ -25,7 +25,8 @@ INLINE LightSample sphere_light_sample(SceneView view, natural light, real3 from
     const real half_chord = safe_sqrt(radius * radius - dot3(across, across));
     s.distance = choose(inside, along + half_chord, along - half_chord);
     const natural material = LIGHT_MATERIAL(view, light);
-    s.radiance = RECORD3(view.materials, material, MaterialRecord, emission);
+    s.radiance = scale3(RECORD3(view.materials, material, MaterialRecord, emission),
+                        light_opacity(view, light));
     s.pdf = pdf_cone(opening);
     s.valid = (s.distance > 0.0f) & material_emits(view, material, !inside);
     return s;
@@ -39,7 +40,8 @@ INLINE Emission sphere_light_emit(SceneView view, __global const LightTracingRec
                                   natural light, real pmf, EmissionNumbers u) {
     const natural material = LIGHT_MATERIAL(view, light);
     const real radius = LIGHT_FIELD(view, light, sphere.radius);
-    const real3 radiance = RECORD3(view.materials, material, MaterialRecord, emission);
+    const real3 radiance = scale3(RECORD3(view.materials, material, MaterialRecord, emission),
+                                  light_opacity(view, light));
     Emission e = no_emission();
     e.normal = sample_sphere(u.point);
     e.position = madd3(e.normal, radius, LIGHT_FIELD3(view, light, sphere.center));

@@ -17,7 +17,7 @@
 typedef struct {
     natural material; // index
     natural kind;     // MATERIAL_...
-    real2 uv;
+    UvSets uv;
     real3 color;
     real alpha; // roughness^2
     real metallic;

@@ -12,7 +12,8 @@ MaterialRecord::MaterialRecord(const Material& m)
 
 Appearance::Appearance(const Scene& scene) {
     for (const Material& material : scene.materials) materials_.emplace_back(material);
-    for (const Texture& texture : scene.textures) textures_.emplace_back(texture);
+    for (const Texture& texture : scene.textures)
+        textures_.emplace_back(texture, image_of(scene.textures, texture));
     for (const MaterialRecord& m : materials_) {
         const bool uniform = !m.emits() || m.emission_texture == NO_TEXTURE;
         const glm::vec3 mean =

@@ -12,7 +12,7 @@ float srgb_to_linear(uint8_t code);
 
 class TextureMap {
   public:
-    explicit TextureMap(const Texture& texture);
+    TextureMap(const Texture& texture, const ByteImage& image);
     /// Linear rgb at uv (v downward, texel centres at half-integers), decoded before filtering.
     glm::vec3 sample(const glm::vec2& uv) const;
     /// Of all texels.

@@ -1,0 +1,103 @@
+// Surfaces that rays pass: where their alpha leaves room, and backs that only light meets.
+// Traversals know nothing of it: a ray that passes what it has hit goes on behind it.
+//
+// Backs are culled for rays that show the scene: the camera's, and those that mirrors and clear
+// glass send on. Light does not care for the side of a surface: it would leak into closed rooms.
+#ifndef ONDE_SHADE_PASSING_H
+#define ONDE_SHADE_PASSING_H
+
+#include "shade/opacity.h"
+#include "trace/trace.h"
+
+#if ONDE_PASSING
+
+    // The most surfaces that a ray passes. Behind them a path ends as if the next were opaque, and
+    // no light arrives.
+    #define MOST_PASSED 256u
+
+// Whether the hits of `lanes` may be passed at all.
+INLINE mask may_pass(SceneView view, Hits hits, mask lanes) {
+    const natural record = choose(lanes, hits.primitive, (natural)(0u));
+    const natural material = SURFACE_MATERIAL(SURFACE_NATURAL(view, record, any.tag));
+    mask may = lanes & !lanes;
+    #if ONDE_ALPHA
+    may = may |
+          (RECORD_NATURAL(view.materials, material, MaterialRecord, alpha_mode) != ALPHA_OPAQUE);
+    #endif
+    #if ONDE_CULLING
+    may = may | (RECORD_NATURAL(view.materials, material, MaterialRecord, double_sided) == 0u);
+    #endif
+    return lanes & may;
+}
+
+// The opacity of what the rays of `lanes` have hit. `seen` is the direction of sight, in which the
+// backs of triangles are culled for the lanes in `culls`.
+INLINE real hit_opacity(SceneView view, Hits hits, real3 seen, mask culls, mask lanes) {
+    const natural record = choose(lanes, hits.primitive, (natural)(0u));
+    const natural tag = SURFACE_NATURAL(view, record, any.tag);
+    const natural material = SURFACE_MATERIAL(tag);
+    const mask triangle = lanes & ((tag & (SURFACE_SPHERE | SURFACE_SHAPE)) == 0u);
+    real opacity = (real)(1.0f);
+    #if ONDE_ALPHA
+    const real u = choose(triangle, hits.u, (real)(0.0f));
+    const real v = choose(triangle, hits.v, (real)(0.0f));
+    const Corners corners = triangle_corners(view, record, triangle);
+    opacity = material_opacity(view, material, triangle_uv(view, corners, u, v),
+                               triangle_alpha(view, corners, u, v));
+    #endif
+    #if ONDE_CULLING
+    const mask one_sided =
+        RECORD_NATURAL(view.materials, material, MaterialRecord, double_sided) == 0u;
+    const mask culled = triangle & culls & one_sided;
+    if_any (culled) {
+        const natural instance = choose(triangle, hits.instance, (natural)(BVH_NONE));
+        const real3 normal = instance_normal(
+            view, instance, RECORD3(view.surfaces, record, SurfaceRecord, triangle.geometric));
+        opacity = choose(culled & !(dot3(normal, seen) < 0.0f), (real)(0.0f), opacity);
+    }
+    #endif
+    return opacity;
+}
+
+// Where the rays of `lanes` end, whose closest hits are given. u, in [0, 1), decides how many
+// blended surfaces a ray passes: each takes its share of what the ones before have left.
+OUTLINED Hits pass_surfaces(SceneView view, real3 origin, real3 direction, Hits hits, real u,
+                            mask culls, mask lanes) {
+    mask open = lanes & (hits.primitive != BVH_NONE);
+    for (uint passed = 0; passed < MOST_PASSED && mask_bits(open); passed++) {
+        const real opacity = hit_opacity(view, hits, direction, culls, open);
+        const mask passes = open & !(u < opacity);
+        const uint bits = mask_bits(passes);
+        if (!bits) break;
+        const real left = (u - opacity) / max_real(1.0f - opacity, (real)(1e-9f));
+        u = choose(passes, clamp_real(left, 0.0f, 0.99999994f), u);
+        hits = trace_behind(view.bvh, origin, direction, (real)(RAY_INFINITY), hits, bits);
+        open = passes & (hits.primitive != BVH_NONE);
+    }
+    return hits;
+}
+
+// How much of the light comes through from the origins to `distance`, for connections in `lanes`;
+// 0 in the others. seen, culls: as in hit_opacity.
+OUTLINED real ray_transmittance(SceneView view, real3 origin, real3 direction, real distance,
+                                real3 seen, mask culls, mask lanes) {
+    Hits hits;
+    hits.t = hits.u = hits.v = (real)(0.0f);
+    hits.primitive = hits.instance = (natural)(0u);
+    real through = choose(lanes, (real)(1.0f), (real)(0.0f));
+    mask open = lanes;
+    for (uint passed = 0; passed < MOST_PASSED; passed++) {
+        hits = trace_behind(view.bvh, origin, direction, distance, hits, mask_bits(open));
+        open = open & (hits.primitive != BVH_NONE);
+        if (!mask_bits(open)) return through;
+        const real opacity = hit_opacity(view, hits, seen, culls, open);
+        through = choose(open, through * (1.0f - opacity), through);
+        open = open & (through > 0.0f);
+        if (!mask_bits(open)) return through;
+    }
+    return choose(open, (real)(0.0f), through);
+}
+
+#endif
+
+#endif

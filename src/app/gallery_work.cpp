@@ -45,7 +45,7 @@ std::string facts_text(const RenderOptions& options, const RenderOutcome& outcom
 
 GalleryWork load_work(const fs::path& file, const LoadOptions& load,
                       std::optional<uint32_t> samples, const gpu::DeviceFacts& facts) {
-    GalleryWork work{file, load_scene(file, {}, load), {}, {}, {}};
+    GalleryWork work{file, load_scene(file, load), {}, {}, {}};
     RenderChoices choices;
     choices.samples = samples;
     const ResolvedOptions resolved = resolve_options(choices, work.scene, facts);
@@ -83,7 +83,7 @@ bool paint(GalleryWork& work, const GalleryStudio& studio, const fs::path& folde
         work.entry.replay = replay(session, *work.entry.lesson.inspect);
     const Scene& scene = session.scene();
     write_png(folder / work.entry.picture, work.picture,
-              {scene.settings.exposure.value_or(0.0f), ToneMap::none},
+              display_of(scene.settings, session.options().integrator),
               {{"onde:scene_hash", scene_hash(scene)}, {"Software", "Onde " ONDE_VERSION}});
     return true;
 }

@@ -259,7 +259,7 @@ void add_info_command(Command& root) {
     declare_load(command, options->load);
     command.flag("--json", options->json, "Print JSON");
     command.on_run([options] {
-        const Scene scene = load_scene(options->scene, {}, load_options(options->load));
+        const Scene scene = load_scene(options->scene, load_options(options->load));
         const SceneSummary summary = summarize(scene);
         const DeviceMemory memory = plan_device_memory(scene);
         if (options->json)

@@ -44,7 +44,7 @@ void prewarm(const std::vector<std::string>& scenes, const std::string& device,
     if (gpu::ProgramCache::default_folder().empty())
         throw InputError("there is no folder for compiled kernels; set ONDE_CACHE_DIR");
     for (const std::string& path : scenes) {
-        Scene scene = load_scene(path, {}, load);
+        Scene scene = load_scene(path, load);
         SessionOptions options = default_options(machine, scene);
         compile(path, machine, std::move(scene), std::move(options));
     }

@@ -68,8 +68,9 @@ void write_channel(const std::vector<std::filesystem::path>& outputs, const Imag
 
 void write_all(const std::vector<std::filesystem::path>& outputs, Session& session,
                const RenderRequest& request, const RenderReport& report) {
-    const float exposure = session.scene().settings.exposure.value_or(0.0f);
-    const Display display{request.exposure.value_or(exposure), request.tone_map};
+    Display display = display_of(session.scene().settings, session.options().integrator);
+    display.exposure = request.exposure.value_or(display.exposure);
+    display.tone_map = request.tone_map.value_or(display.tone_map);
     const ImageMetadata metadata = describe_picture(session, report);
     write_pictures(outputs, session.picture(), request, display, metadata);
     for (const std::string& aov : request.aovs)

@@ -37,6 +37,9 @@ void declare_view(Command& command, RenderRequest& r) {
                    {.value = "FILE"});
     command.option("--environment-rotation", &r.environment_rotation,
                    "Turn that picture, counter-clockwise seen from above", {.value = "DEGREES"});
+    command.choice("--studio", r.studio,
+                   "Light of soft boxes for files without an environment (for models and what is "
+                   "dark else)");
 }
 
 void declare_picture(Command& command, RenderRequest& r) {
@@ -50,7 +53,9 @@ void declare_picture(Command& command, RenderRequest& r) {
                    {.value = "SECONDS"});
     command.option("--exposure", &r.exposure, "Brighten the .png by that many stops",
                    {.value = "STOPS"});
-    command.choice("--tone-map", r.tone_map, "How the .png rolls off highlights (none)");
+    command.choice("--tone-map", r.tone_map,
+                   "How bright light is shown in the .png (the scene's, else neutral; none for the "
+                   "chapter's integrators)");
     command.option(
         "--aov", &r.aovs,
         "Also write OUTPUT.WORD, as numbers in .exr, as colours in .png: traversal-cost,\n"
@@ -63,7 +68,7 @@ void declare_estimator(Command& command, RenderRequest& r) {
     command.choice("--integrator", r.choices.integrator,
                    "What is computed (the scene's, else path)");
     command.option("--depth", &r.choices.depth,
-                   "The most surfaces a path visits (the scene's, else 8)", {.value = "N"});
+                   "The most surfaces a path visits (the scene's, else 12; 8 of ray trees)", {.value = "N"});
     command.option("--seed", &r.choices.seed, "Of the random numbers; same seed, same picture (0)",
                    {.value = "N"});
     command.choice("--filter", r.choices.filter, "Pixel filter (blackman-harris)");
@@ -123,11 +128,16 @@ void declare_replay_options(Command& command, RenderRequest& request) {
 }
 
 Scene load_requested_scene(const RenderRequest& request) {
-    std::optional<Environment> environment;
+    LoadOptions options = load_options(request.load);
+    options.studio = request.studio;
+    if (!request.size.empty()) {
+        const auto [width, height] = parse_size(request.size);
+        options.size = glm::uvec2(width, height);
+    }
     if (!request.environment.empty())
-        environment =
-            load_environment(request.environment, glm::vec3(1.0f), request.environment_rotation);
-    return load_scene(request.scene, environment, load_options(request.load));
+        options.environment = load_environment(request.environment, glm::vec3(1.0f),
+                                               request.environment_rotation);
+    return load_scene(request.scene, options);
 }
 
 void check_request(const RenderRequest& r) {

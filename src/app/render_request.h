@@ -6,6 +6,7 @@
 #include "accel/bvh.h"
 #include "app/load_request.h"
 #include "image/image_io.h"
+#include "scene/load.h"
 #include "session/choices.h"
 #include "session/machine.h"
 #include "session/session.h"
@@ -37,7 +38,8 @@ struct RenderRequest {
     MachineRequest machine;
     float environment_rotation = 0.0f;
     std::optional<float> exposure;
-    ToneMap tone_map = ToneMap::none;
+    std::optional<ToneMap> tone_map;
+    Studio studio = Studio::automatic;
     bool full_float = false;
     std::filesystem::path json;
     bool stats = false, quiet = false;

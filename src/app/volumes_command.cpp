@@ -47,7 +47,7 @@ void run(const VolumesRequest& request) {
     set_up_logging(false);
     check(request);
     Machine machine = open_machine(request.machine);
-    const Scene scene = load_scene(request.scene, {}, load_options(request.load));
+    const Scene scene = load_scene(request.scene, load_options(request.load));
     const TriangleSoup object = scene_triangles(scene);
     if (const size_t left_out = scene.spheres.size() + scene.shapes.size())
         spdlog::info("volumes are put around triangles; left out: {} spheres or other shapes",

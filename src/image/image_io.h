@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/enum_words.h"
+#include "image/display.h"
 #include "image/image.h"
 
 #include <cstdint>
@@ -34,18 +35,6 @@ enum class ExrDepth { half_float, full_float };
 /// Throws InputError when the file can't be written.
 void write_exr(const std::filesystem::path& path, const Image& image, const ImageMetadata& metadata,
                ExrDepth depth = ExrDepth::half_float);
-
-enum class ToneMap { none, filmic };
-
-constexpr auto enum_words(ToneMap) {
-    return std::array{EnumWord{ToneMap::none, "none"}, EnumWord{ToneMap::filmic, "filmic"}};
-}
-
-/// How linear radiance becomes a displayed picture.
-struct Display {
-    float exposure = 0.0f;            ///< in stops: the picture is multiplied by 2^exposure
-    ToneMap tone_map = ToneMap::none; ///< none: clip at 1; filmic: a smooth shoulder (see tone.h)
-};
 
 /// Writes an 8-bit sRGB PNG of linear RGB floats, by way of a temporary file and a rename.
 /// Throws InputError when the file can't be written.

@@ -32,7 +32,8 @@ static Window view_window(const Camera& camera, glm::vec2 pixels) {
     const float height = camera.orthographic_height > 0
                              ? camera.orthographic_height
                              : 2 * distance * std::tan(camera.vertical_fov / 2);
-    const float step = height / pixels.y;
+    const float narrower = camera.aspect_ratio.value_or(0) * pixels.y / pixels.x;
+    const float step = height / pixels.y * std::max(narrower, 1.0f);
     return {step, distance, -0.5f * step * pixels};
 }
 

@@ -34,6 +34,7 @@ struct Camera {
     float aperture_radius = 0.0f;       ///< thin lens; 0 is a pinhole
     float focus_distance = 1.0f;        ///< along the view axis
     float orthographic_height = 0.0f;   ///< of the view; 0: perspective
+    std::optional<float> aspect_ratio;  ///< width over height that is seen at the least
     std::optional<ScreenWindow> screen; ///< replaces vertical_fov
 };
 
@@ -54,6 +55,10 @@ constexpr auto fields_of(TypeTag<Camera>) {
         field("orthographic_height", &C::orthographic_height,
               "of the view in world units; parallel rays instead of `vertical_fov`",
               {.range = NOT_NEGATIVE, .form = Form::length, .absent = "a perspective"}),
+        field("aspect_ratio", &C::aspect_ratio,
+              "width over height of a view that narrower pictures show whole, by seeing more above "
+              "and below",
+              {.range = POSITIVE, .absent = "the picture's"}),
         field("screen", &C::screen, "a window before the eye instead of `vertical_fov`")};
 }
 

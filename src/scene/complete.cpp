@@ -1,79 +1,16 @@
 // What a scene file may leave out: a camera, and something that shines.
+#include "scene/framing.h"
 #include "scene/load.h"
 #include "scene/merge.h"
 #include "scene/phong.h"
+#include "scene/studio.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include <fmt/format.h>
 
 namespace onde {
-
-static glm::mat4 look_at(const glm::vec3& eye, const glm::vec3& target) {
-    const glm::vec3 back = glm::normalize(eye - target);
-    const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back));
-    const glm::vec3 up = glm::cross(back, right);
-    return glm::mat4(glm::vec4(right, 0.0f), glm::vec4(up, 0.0f), glm::vec4(back, 0.0f),
-                     glm::vec4(eye, 1.0f));
-}
-
-/// Half the smaller angle of view, for the film's shape that the settings ask for.
-static float half_view_angle(const Camera& camera, const RenderSettings& settings) {
-    const float half = 0.5f * camera.vertical_fov;
-    if (!settings.width || !settings.height || *settings.width >= *settings.height) return half;
-    return std::atan(std::tan(half) * float(*settings.width) / float(*settings.height));
-}
-
-/// From the front (+Z), a little from the right and from above; the sphere around the bounds fits.
-static Camera framing_camera(const Scene& scene) {
-    const SceneBounds bounds = scene_bounds(scene);
-    const glm::vec3 center = 0.5f * bounds.low + 0.5f * bounds.high;
-    const float radius = std::max(0.5f * glm::length(bounds.high - bounds.low), 1e-6f);
-    Camera camera;
-    camera.name = "framed";
-    camera.focus_distance = 1.02f * radius / std::sin(half_view_angle(camera, scene.settings));
-    const glm::vec3 direction = glm::normalize(glm::vec3(0.55f, 0.4f, 1.0f));
-    camera.camera_to_world = look_at(center + camera.focus_distance * direction, center);
-    return camera;
-}
-
-/// A rectangular light with soft edges, in spherical coordinates about its centre.
-struct Softbox {
-    float azimuth, elevation; ///< of its centre, radians; azimuth 0 is -Z, pi/2 is +X
-    float half_width, half_height, softness; ///< radians
-    float radiance;
-};
-
-static float edge(float distance, float half_size, float softness) {
-    const float t = std::clamp((half_size + softness - distance) / softness, 0.0f, 1.0f);
-    return t * t * (3.0f - 2.0f * t);
-}
-
-static float radiance_toward(const Softbox& box, float azimuth, float elevation) {
-    const float turn = std::remainder(azimuth - box.azimuth, 2.0f * std::numbers::pi_v<float>);
-    return box.radiance * edge(std::abs(turn), box.half_width, box.softness) *
-           edge(std::abs(elevation - box.elevation), box.half_height, box.softness);
-}
-
-/// A grey gradient, brighter above, with a key light from the upper left of the framing camera, a
-/// fill from its right and a rim from behind.
-static Image studio_map() {
-    constexpr float PI = std::numbers::pi_v<float>;
-    // The framing camera stands toward +Z: behind it is azimuth pi, its left is -X.
-    const Softbox boxes[] = {{-0.80f * PI, 0.75f, 0.40f, 0.30f, 0.25f, 9.0f},
-                             {0.62f * PI, 0.35f, 0.45f, 0.45f, 0.40f, 1.6f},
-                             {0.10f * PI, 0.85f, 0.60f, 0.12f, 0.20f, 3.0f}};
-    Image map(64, 32, 3);
-    for (uint32_t y = 0; y < map.height; ++y)
-        for (uint32_t x = 0; x < map.width; ++x) {
-            const float elevation = PI * (0.5f - (float(y) + 0.5f) / float(map.height));
-            const float azimuth = 2.0f * PI * ((float(x) + 0.5f) / float(map.width) - 0.5f);
-            float radiance = 0.30f + 0.25f * std::sin(elevation);
-            for (const Softbox& box : boxes) radiance += radiance_toward(box, azimuth, elevation);
-            std::ranges::fill(map.pixel(x, y), radiance);
-        }
-    return map;
-}
 
 /// The mean of a texture's largest colour channel, linear, from every 16th texel.
 static float mean_brightness(const Scene& scene, const Texture& texture) {
@@ -117,16 +54,29 @@ static bool anything_emits(const Scene& scene) {
     return false;
 }
 
-void complete_scene(Scene& scene) {
+static glm::uvec2 framed_size(const Scene& scene, const LoadOptions& options) {
+    const RenderSettings& own = scene.settings;
+    return options.size.value_or(glm::uvec2(own.width.value_or(DEFAULT_FILM_SIZE.x),
+                                            own.height.value_or(DEFAULT_FILM_SIZE.y)));
+}
+
+static void add_studio(Scene& scene, const char* reason) {
+    scene.environment = {.radiance = glm::vec3(1.0f), .map = studio_map(), .rotation = 0.0f};
+    scene.notes.push_back(fmt::format("{}: a neutral studio was added (--studio off).", reason));
+}
+
+void complete_scene(Scene& scene, const LoadOptions& options, bool is_model) {
     complete_lights(scene);
-    if (scene.cameras.empty()) {
-        scene.cameras.push_back(framing_camera(scene));
+    const bool is_framed = scene.cameras.empty();
+    if (is_framed) {
+        scene.cameras.push_back(framing_camera(scene, framed_size(scene, options)));
         scene.notes.push_back("The file has no camera: one was added that sees the whole scene.");
     }
-    if (!anything_emits(scene)) {
-        scene.environment = {.radiance = glm::vec3(1.0f), .map = studio_map(), .rotation = 0.0f};
-        scene.notes.push_back("Nothing in the file lights the scene: a neutral studio was added.");
-    }
+    if (options.studio == Studio::off || emits(scene.environment)) return;
+    if (!anything_emits(scene))
+        add_studio(scene, "Nothing in the file lights the scene");
+    else if (options.studio == Studio::on || (is_framed && is_model))
+        add_studio(scene, "The file has no environment");
 }
 
 } // namespace onde

@@ -75,10 +75,13 @@ CameraSource read_camera(const JsonReader& object) {
     if (!camera.perspective && type != "orthographic")
         object.fail("type", "is neither perspective nor orthographic");
     const JsonReader view = object.require(type, object.object(type));
-    if (camera.perspective)
+    if (camera.perspective) {
         camera.yfov = view.require("yfov", view.number("yfov"));
-    else
+        camera.aspect_ratio = view.number("aspectRatio");
+    } else {
         camera.ymag = view.require("ymag", view.number("ymag"));
+        camera.aspect_ratio = view.require("xmag", view.number("xmag")) / camera.ymag;
+    }
     return camera;
 }
 

@@ -153,6 +153,7 @@ struct CameraSource {
     std::string name;
     bool perspective = true;
     double yfov = 0, ymag = 0;
+    std::optional<double> aspect_ratio; ///< of a perspective, or xmag over ymag
 };
 
 struct LightSource {

@@ -193,6 +193,8 @@ void NodeTraversal::add_camera(uint32_t index, const glm::mat4& to_world, const 
         throw InputError("{}: {}: its yfov {} does not lie between 0 and pi; export it again",
                          file_.name, name, source.yfov);
     }
+    const double aspect = source.aspect_ratio.value_or(0.0);
+    if (aspect >= 1e-3 && aspect <= 1e3) camera.aspect_ratio = float(aspect);
     file_.context.spend(1, sizeof(Camera), file_.where(user));
     scene_.cameras.push_back(camera);
 }

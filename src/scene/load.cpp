@@ -30,14 +30,13 @@ Scene load_part(const fs::path& path, LoadContext& context,
         path.string(), shown(extension));
 }
 
-Scene load_scene(const fs::path& path, const std::optional<Environment>& environment,
-                 const LoadOptions& options) {
+Scene load_scene(const fs::path& path, const LoadOptions& options) {
     LoadContext context(options);
     Scene scene = load_part(path, context);
-    if (environment) scene.environment = *environment;
+    if (options.environment) scene.environment = *options.environment;
     try {
         check_scene(scene);
-        complete_scene(scene);
+        complete_scene(scene, options, lower_extension(path) != ".toml");
         check_scene(scene); // a framing camera of a scene near the end of float's range
     } catch (const InputError& error) {
         throw InputError("{}: {}", path.string(), error.what());

@@ -8,22 +8,19 @@
 
 namespace onde {
 
-/// Loads .gltf, .glb, .obj, .ply, .stl or .toml (by extension) and completes it: a scene without a
-/// camera is framed, one without any light gets a neutral studio environment, and `notes` says so.
-/// Every number is checked; the result satisfies check_scene(). `environment` replaces the file's
-/// own before that. Throws InputError with one sentence.
-Scene load_scene(const std::filesystem::path& path,
-                 const std::optional<Environment>& environment = {},
-                 const LoadOptions& options = {});
+/// Loads .gltf, .glb, .obj, .ply, .stl or .toml (by extension) and completes it as complete_scene()
+/// does. Every number is checked; the result satisfies check_scene(). Throws InputError with one
+/// sentence.
+Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// Throws InputError unless every index is in range, every number finite, every range of scene.h
 /// respected and there is something to see.
 void check_scene(const Scene& scene);
 
-/// Adds a camera that sees the whole scene if there is none, and a studio environment if nothing
-/// emits but, at most, small details in emission textures; completes the measures of lights.
-/// Indices must be in range.
-void complete_scene(Scene& scene);
+/// Adds a camera that frames the whole scene if there is none, and the studio where it is asked for,
+/// with a note of either; completes the measures of lights. `is_model`: what stands in the file is
+/// things, not a scene that somebody has lit. Indices must be in range.
+void complete_scene(Scene& scene, const LoadOptions& options = {}, bool is_model = false);
 
 /// World-space bounding box of all geometry; {0,0} for an empty scene.
 struct SceneBounds {

@@ -1,12 +1,25 @@
 // What a user may ask of a load, whatever the format. Every command that loads a scene shares it.
 #pragma once
 
+#include "core/enum_words.h"
+#include "scene/light.h"
+
+#include <glm/glm.hpp>
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 namespace onde {
+
+/// Whether a scene gets the neutral studio environment.
+enum class Studio { automatic, on, off };
+
+constexpr auto enum_words(Studio) {
+    return std::array{EnumWord{Studio::automatic, "auto"}, EnumWord{Studio::on, "on"},
+                      EnumWord{Studio::off, "off"}};
+}
 
 struct LoadOptions {
     bool strict = false;          ///< refuse what would be repaired or dropped with a note
@@ -16,6 +29,11 @@ struct LoadOptions {
     // Of glTF files; a name, or a number from 0. Empty: the default.
     std::optional<double> at{}; ///< seconds of the animation; else the rest pose
     std::string animation{}, scene{}, variant{};
+    std::optional<Environment> environment{}; ///< replaces the file's own
+    std::optional<glm::uvec2> size{}; ///< pixels of the picture to be framed, else the file's own
+    /// automatic: for models that bring no camera, and for scenes in which nothing emits but, at
+    /// most, small details in emission textures; never beside another environment.
+    Studio studio = Studio::automatic;
 };
 
 } // namespace onde

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "core/enum_words.h"
+#include "image/display.h"
 #include "scene/fields.h"
+
+#include <glm/glm.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -27,12 +30,16 @@ constexpr auto enum_words(Filter) {
                       EnumWord{Filter::blackman_harris, "blackman-harris"}};
 }
 
+/// Of pictures whose scene states no size, pixels.
+inline constexpr glm::uvec2 DEFAULT_FILM_SIZE{800, 600};
+
 inline constexpr Range FILM_SIZE{.low = 1, .high = 65535};
 
 struct RenderSettings {
     std::optional<uint32_t> width, height, samples, depth, seed;
     std::optional<Filter> filter;
     std::optional<float> exposure;
+    std::optional<ToneMap> tone_map;
     std::optional<IntegratorKind> integrator;
 };
 
@@ -49,6 +56,8 @@ constexpr auto fields_of(TypeTag<RenderSettings>) {
               {.range = {.low = 0, .high = 0xffffffffu}}),
         field("filter", &S::filter, "of the pixels"),
         field("exposure", &S::exposure, "stops", {.range = {.low = -64, .high = 64}}),
+        field("tone_map", &S::tone_map, "how bright light is shown in a `.png`",
+              {.absent = "`\"neutral\"`; `\"none\"` for the chapter's integrators"}),
         field("integrator", &S::integrator, "what is computed", {.absent = "`\"path\"`"})};
 }
 

@@ -13,6 +13,9 @@ namespace {
 /// Samples of a render that is limited by its time alone.
 constexpr uint32_t ENDLESS = 1u << 20;
 
+/// Ray trees branch at every level.
+constexpr uint32_t WHITTED_DEPTH = 8;
+
 uint32_t find_camera(const std::string& name, const Scene& scene) {
     if (name.empty()) return 0;
     std::vector<std::string> names;
@@ -28,6 +31,7 @@ uint32_t find_camera(const std::string& name, const Scene& scene) {
 void resolve_depth(const RenderChoices& choices, const RenderSettings& own,
                    ResolvedOptions& resolved) {
     RenderOptions& options = resolved.options;
+    if (options.integrator == IntegratorKind::whitted) options.depth = WHITTED_DEPTH;
     options.depth = choices.depth.value_or(own.depth.value_or(options.depth));
     const uint32_t most = most_depth(options.integrator);
     const bool is_own = options.integrator == own.integrator.value_or(IntegratorKind::path);
@@ -79,6 +83,12 @@ ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene
     resolve_settings(choices, options.settings);
     check_options(options);
     return resolved;
+}
+
+Display display_of(const RenderSettings& scene, IntegratorKind integrator) {
+    const bool is_light = integrator == IntegratorKind::path || integrator == IntegratorKind::light;
+    return {.exposure = scene.exposure.value_or(0.0f),
+            .tone_map = scene.tone_map.value_or(is_light ? ToneMap::neutral : ToneMap::none)};
 }
 
 } // namespace onde

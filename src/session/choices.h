@@ -32,4 +32,9 @@ struct ResolvedOptions {
 ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene,
                                 const gpu::DeviceFacts& facts);
 
+/// How pictures of the scene are shown where the user asks for nothing else: as it says, else
+/// without exposure, and by the neutral tone map; the chapter's integrators compute what a display
+/// is to show.
+Display display_of(const RenderSettings& scene, IntegratorKind integrator);
+
 } // namespace onde

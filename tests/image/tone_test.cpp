@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <limits>
 
 using namespace onde;
@@ -43,6 +44,52 @@ TEST_CASE("the filmic curve rises from black to a shoulder below white") {
         REQUIRE(value <= 1.0f);
         previous = value;
     }
+}
+
+TEST_CASE("the neutral tone map keeps colours below its shoulder but for what surfaces reflect") {
+    for (const float least : {0.08f, 0.3f})
+        for (const float largest : {0.35f, 0.79f}) {
+            const glm::vec3 shown = neutral({least, 0.5f * (least + largest), largest});
+            CHECK(shown.x == Approx(least - 0.04f));
+            CHECK(shown.y == Approx(0.5f * (least + largest) - 0.04f));
+            CHECK(shown.z == Approx(largest - 0.04f));
+        }
+    CHECK(neutral(glm::vec3(0.04f)).x == Approx(6.25f * 0.04f * 0.04f));
+    CHECK(neutral(glm::vec3(0)) == glm::vec3(0));
+}
+
+TEST_CASE("the neutral tone map compresses what is bright, and lets it fade to white") {
+    const glm::vec3 bright = neutral({3.0f, 0.1f, 0.1f}), brighter = neutral({50.0f, 0.1f, 0.1f});
+    CHECK(bright.x == Approx(1 - 0.24f * 0.24f / (2.96f + 0.24f - 0.76f)));
+    CHECK(bright.y == bright.z); // the hue stays
+    CHECK(brighter.y > bright.y);
+    CHECK(brighter.x < 1.0f);
+    CHECK(neutral({INF, 0, 0}) == glm::vec3(1));
+    CHECK(neutral({NOT_A_NUMBER, -1, 0}) == glm::vec3(0));
+}
+
+TEST_CASE("AgX shows middle grey as the encoded half that its curve turns about, and fades colours") {
+    CHECK(srgb_from_linear(agx(glm::vec3(0.18f)).x) == Approx(0.5f).margin(0.01));
+    CHECK(agx(glm::vec3(0)).x == Approx(0.0f).margin(1e-4));
+    CHECK(agx(glm::vec3(20)).x == Approx(1.0f).margin(0.01));
+    CHECK(agx({INF, INF, INF}).x <= 1.0f);
+    const glm::vec3 blue = agx({0, 0, 10});
+    CHECK(blue.x > 0.2f);
+    CHECK(blue.z > blue.x);
+    float previous = -1;
+    for (int step = 0; step < 200; ++step) {
+        const float value = agx(glm::vec3(std::exp2(float(step) * 0.1f - 13))).y;
+        REQUIRE(value >= previous);
+        previous = value;
+    }
+}
+
+TEST_CASE("a tone map of colours takes a picture's channels together") {
+    Image red(1, 1, 3), grey(1, 1, 1);
+    red.pixels = {50.0f, 0.1f, 0.1f};
+    grey.pixels = {0.5f};
+    CHECK(display_bytes(red, {0.0f, ToneMap::neutral})[1] > display_bytes(red, {})[1]);
+    CHECK(display_bytes(grey, {0.0f, ToneMap::neutral})[0] < display_bytes(grey, {})[0]);
 }
 
 TEST_CASE("one stop of exposure doubles the light and leaves alpha alone") {

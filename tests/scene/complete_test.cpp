@@ -25,45 +25,56 @@ Scene one_triangle() {
     return scene;
 }
 
-/// Tangent of the angle between the view axis and the direction to a point, vertically.
-float vertical_tangent(const Camera& camera, const glm::vec3& point) {
-    const glm::vec3 local(glm::inverse(camera.camera_to_world) * glm::vec4(point, 1.0f));
-    return std::abs(local.y) / -local.z;
+/// The largest share of half the picture's width and height that points of a unit sphere about
+/// `center`, `radius` times as large, reach.
+glm::vec2 filled_share(const Camera& camera, glm::vec3 center, float radius, glm::vec2 size) {
+    const glm::mat4 to_camera = glm::inverse(camera.camera_to_world);
+    const float tangent = std::tan(0.5f * camera.vertical_fov);
+    glm::vec2 share(0);
+    for (int i = 0; i < 20000; ++i) {
+        const float y = (float(i) + 0.5f) / 10000 - 1, turn = 2.39996323f * float(i);
+        const float ring = std::sqrt(1 - y * y);
+        const glm::vec3 point =
+            center + radius * glm::vec3(ring * std::cos(turn), y, ring * std::sin(turn));
+        const glm::vec3 seen(to_camera * glm::vec4(point, 1.0f));
+        const glm::vec2 tangents(tangent * size.x / size.y, tangent);
+        share = glm::max(share, glm::abs(glm::vec2(seen) / -seen.z) / tangents);
+    }
+    return share;
 }
 
 } // namespace
 
-TEST_CASE("the framing camera sees every corner of the bounds and little more") {
+TEST_CASE("the framing camera fills most of the picture's tighter side, whatever its shape") {
     for (const auto& [center, radius] :
          {std::pair(glm::vec3(0), 1.0f), std::pair(glm::vec3(300, -20, 5), 0.01f),
-          std::pair(glm::vec3(0, 0, -9), 1e4f)}) {
-        Scene scene = one_sphere(center, radius);
-        complete_scene(scene);
-        REQUIRE(scene.cameras.size() == 1);
-        const Camera& camera = scene.cameras[0];
-        const float limit = std::tan(0.5f * camera.vertical_fov);
-        float largest = 0;
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-            largest = std::max(largest, vertical_tangent(camera, center + radius * sign));
+          std::pair(glm::vec3(0, 0, -9), 1e4f)})
+        for (const glm::uvec2 size : {glm::uvec2(800, 600), glm::uvec2(64, 128)}) {
+            Scene scene = one_sphere(center, radius);
+            complete_scene(scene, {.size = size});
+            REQUIRE(scene.cameras.size() == 1);
+            const Camera& camera = scene.cameras[0];
+            const glm::vec2 share = filled_share(camera, center, radius, size);
+            INFO(share.x << " of the width, " << share.y << " of the height");
+            CHECK(std::max(share.x, share.y) > 0.87f);
+            CHECK(std::max(share.x, share.y) < 0.9f);
+            const glm::vec3 eye(camera.camera_to_world[3]);
+            CHECK(eye.z > center.z); // from the front, above and to the side
+            CHECK(eye.y > center.y);
+            CHECK(eye.x > center.x);
+            CHECK_NOTHROW(check_scene(scene));
         }
-        CHECK(largest < limit);
-        CHECK(largest > 0.5f * limit);
-        const glm::vec3 eye(camera.camera_to_world[3]);
-        CHECK(eye.z > center.z); // from the front, above and to the side
-        CHECK(eye.y > center.y);
-        CHECK(eye.x > center.x);
-        CHECK_NOTHROW(check_scene(scene));
-    }
 }
 
-TEST_CASE("a tall film moves the framing camera back") {
-    Scene wide = one_sphere(), tall = one_sphere();
-    tall.settings.width = 100;
-    tall.settings.height = 300;
+TEST_CASE("the size that is asked for frames a model, else the file's own") {
+    Scene own = one_sphere(), asked = one_sphere(), wide = one_sphere();
+    own.settings.width = asked.settings.width = 100;
+    own.settings.height = asked.settings.height = 300;
+    complete_scene(own);
+    complete_scene(asked, {.size = glm::uvec2(300, 100)});
     complete_scene(wide);
-    complete_scene(tall);
-    CHECK(tall.cameras[0].focus_distance > 2.0f * wide.cameras[0].focus_distance);
+    CHECK(own.cameras[0].focus_distance > 2.0f * wide.cameras[0].focus_distance);
+    CHECK(asked.cameras[0].focus_distance == Approx(wide.cameras[0].focus_distance));
 }
 
 TEST_CASE("a dark scene gets a studio whose key light comes from the upper left") {
@@ -94,14 +105,31 @@ TEST_CASE("a scene with any light of its own gets no studio") {
     }
 }
 
+TEST_CASE("a model without a camera stands in the studio, whatever else lights it") {
+    Scene lit = one_sphere(), dark = one_sphere(), own_sky = one_sphere(), own_camera = one_sphere();
+    for (Scene* scene : {&lit, &dark, &own_sky, &own_camera}) scene->point_lights.emplace_back();
+    own_sky.environment.radiance = glm::vec3(0.1f);
+    own_camera.cameras.emplace_back();
+    complete_scene(lit, {}, true);
+    complete_scene(dark, {.studio = Studio::off}, true);
+    complete_scene(own_sky, {}, true);
+    complete_scene(own_camera, {}, true);
+    CHECK(lit.environment.map);
+    CHECK_FALSE(dark.environment.map);
+    CHECK_FALSE(own_sky.environment.map);
+    CHECK_FALSE(own_camera.environment.map);
+    complete_scene(own_camera, {.studio = Studio::on});
+    CHECK(own_camera.environment.map);
+}
+
 TEST_CASE("an environment that is given replaces the file's own before a studio is added") {
     const test::ScratchFolder folder;
     const auto path = folder.write("a.toml", "[[shape]]\ntype = \"sphere\"\n");
     CHECK(load_scene(path).notes.size() == 2); // of the camera and the studio
-    const Scene lit = load_scene(path, Environment{.radiance = glm::vec3(0.25f), .map = {}});
+    const Scene lit = load_scene(path, {.environment = Environment{.radiance = glm::vec3(0.25f), .map = {}}});
     CHECK(lit.environment.radiance == glm::vec3(0.25f));
     CHECK(lit.notes.size() == 1);
-    const Scene dark = load_scene(path, Environment{});
+    const Scene dark = load_scene(path, {.environment = Environment{}});
     CHECK(dark.environment.map);
 }
 

@@ -282,8 +282,8 @@ TEST_CASE("JSON that would take more memory than a load may is refused") {
     for (int i = 0; i < 100000; ++i) list += ",0";
     const auto path =
         folder.write("evil.gltf", with(&Parts::extra, ", \"extras\": [" + list + "]").json());
-    CHECK_THROWS_WITH(load_scene(path, {}, {.limit = 1 << 20}), Catch::Contains("--load-limit"));
-    CHECK_NOTHROW(load_scene(path, {}, {.limit = 1 << 24}));
+    CHECK_THROWS_WITH(load_scene(path, {.limit = 1 << 20}), Catch::Contains("--load-limit"));
+    CHECK_NOTHROW(load_scene(path, {.limit = 1 << 24}));
 }
 
 TEST_CASE("damaged binary glTF containers are refused") {

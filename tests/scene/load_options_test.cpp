@@ -9,7 +9,7 @@ namespace {
 
 std::string error_with(const LoadOptions& options, const std::filesystem::path& path) {
     try {
-        load_scene(path, {}, options);
+        load_scene(path, options);
         return "";
     } catch (const InputError& error) {
         return error.what();

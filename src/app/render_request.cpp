@@ -68,7 +68,8 @@ void declare_estimator(Command& command, RenderRequest& r) {
     command.choice("--integrator", r.choices.integrator,
                    "What is computed (the scene's, else path)");
     command.option("--depth", &r.choices.depth,
-                   "The most surfaces a path visits (the scene's, else 12; 8 of ray trees)", {.value = "N"});
+                   "The most surfaces a path visits (the scene's, else 12; 8 of ray trees)",
+                   {.value = "N"});
     command.option("--seed", &r.choices.seed, "Of the random numbers; same seed, same picture (0)",
                    {.value = "N"});
     command.choice("--filter", r.choices.filter, "Pixel filter (blackman-harris)");
@@ -135,8 +136,8 @@ Scene load_requested_scene(const RenderRequest& request) {
         options.size = glm::uvec2(width, height);
     }
     if (!request.environment.empty())
-        options.environment = load_environment(request.environment, glm::vec3(1.0f),
-                                               request.environment_rotation);
+        options.environment =
+            load_environment(request.environment, glm::vec3(1.0f), request.environment_rotation);
     return load_scene(request.scene, options);
 }
 

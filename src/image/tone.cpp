@@ -45,7 +45,8 @@ glm::vec3 neutral(glm::vec3 linear) {
     return glm::mix(base * (compressed / peak), glm::vec3(compressed), white);
 }
 
-/// From the place in AgX's range of stops, 0 to 1, to an encoded value. Middle grey, at 20/33, is 0.5.
+/// From the place in AgX's range of stops, 0 to 1, to an encoded value. Middle grey, at 20/33, is
+/// 0.5.
 static float agx_curve(float place) {
     constexpr float MIDDLE = 20.0f / 33, SLOPE = 2;
     const float t = place - MIDDLE;

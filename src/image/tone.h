@@ -17,8 +17,8 @@ float srgb_from_linear(float linear);
 /// The inverse of srgb_from_linear.
 float linear_from_srgb(float encoded);
 
-/// Display transforms: from linear light, of which they take what is negative or NaN for 0, to linear
-/// light in [0, 1].
+/// Display transforms: from linear light, of which they take what is negative or NaN for 0, to
+/// linear light in [0, 1].
 
 /// A smooth shoulder for values above 1: a rational fit of the ACES reference curve, applied per
 /// channel. 0.8 at 1, clipped at 1 beyond 7.2.

@@ -22,10 +22,10 @@ constexpr auto enum_words(Engine) {
 
 struct RenderOptions {
     uint32_t width = DEFAULT_FILM_SIZE.x, height = DEFAULT_FILM_SIZE.y; ///< each in [1, 65535]
-    uint32_t samples = 64;              ///< per pixel, >= 1
-    double seconds = 0;                 ///< stop after about that long; 0: no limit
-    uint32_t depth = 12;                ///< the most surfaces a path visits, in [1, 1023]
-    uint32_t roulette_start = 1;        ///< first bounce at which Russian roulette may end a path
+    uint32_t samples = 64;                                              ///< per pixel, >= 1
+    double seconds = 0;          ///< stop after about that long; 0: no limit
+    uint32_t depth = 12;         ///< the most surfaces a path visits, in [1, 1023]
+    uint32_t roulette_start = 1; ///< first bounce at which Russian roulette may end a path
     uint32_t seed = 0;
     Filter filter = Filter::blackman_harris;
     uint32_t camera = 0; ///< index into the scene's cameras

@@ -17,9 +17,9 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options =
 /// respected and there is something to see.
 void check_scene(const Scene& scene);
 
-/// Adds a camera that frames the whole scene if there is none, and the studio where it is asked for,
-/// with a note of either; completes the measures of lights. `is_model`: what stands in the file is
-/// things, not a scene that somebody has lit. Indices must be in range.
+/// Adds a camera that frames the whole scene if there is none, and the studio where it is asked
+/// for, with a note of either; completes the measures of lights. `is_model`: what stands in the
+/// file is things, not a scene that somebody has lit. Indices must be in range.
 void complete_scene(Scene& scene, const LoadOptions& options = {}, bool is_model = false);
 
 /// World-space bounding box of all geometry; {0,0} for an empty scene.

@@ -13,9 +13,9 @@ glm::vec3 placed(const glm::mat4& transform, glm::vec3 point) {
 
 void visit_corners(const SceneBounds& box, const glm::mat4& transform, const VisitPoint& visit) {
     for (int corner = 0; corner < 8; ++corner)
-        visit(placed(transform, {corner & 1 ? box.high.x : box.low.x,
-                                 corner & 2 ? box.high.y : box.low.y,
-                                 corner & 4 ? box.high.z : box.low.z}));
+        visit(placed(transform,
+                     {corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                      corner & 4 ? box.high.z : box.low.z}));
 }
 
 void visit_mesh(const Mesh& mesh, const glm::mat4& transform, const VisitPoint& visit) {

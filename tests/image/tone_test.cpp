@@ -68,7 +68,8 @@ TEST_CASE("the neutral tone map compresses what is bright, and lets it fade to w
     CHECK(neutral({NOT_A_NUMBER, -1, 0}) == glm::vec3(0));
 }
 
-TEST_CASE("AgX shows middle grey as the encoded half that its curve turns about, and fades colours") {
+TEST_CASE(
+    "AgX shows middle grey as the encoded half that its curve turns about, and fades colours") {
     CHECK(srgb_from_linear(agx(glm::vec3(0.18f)).x) == Approx(0.5f).margin(0.01));
     CHECK(agx(glm::vec3(0)).x == Approx(0.0f).margin(1e-4));
     CHECK(agx(glm::vec3(20)).x == Approx(1.0f).margin(0.01));

@@ -54,7 +54,7 @@ TEST_CASE("the framing camera fills most of the picture's tighter side, whatever
             complete_scene(scene, {.size = size});
             REQUIRE(scene.cameras.size() == 1);
             const Camera& camera = scene.cameras[0];
-            const glm::vec2 share = filled_share(camera, center, radius, size);
+            const glm::vec2 share = filled_share(camera, center, radius, glm::vec2(size));
             INFO(share.x << " of the width, " << share.y << " of the height");
             CHECK(std::max(share.x, share.y) > 0.87f);
             CHECK(std::max(share.x, share.y) < 0.9f);
@@ -106,7 +106,8 @@ TEST_CASE("a scene with any light of its own gets no studio") {
 }
 
 TEST_CASE("a model without a camera stands in the studio, whatever else lights it") {
-    Scene lit = one_sphere(), dark = one_sphere(), own_sky = one_sphere(), own_camera = one_sphere();
+    Scene lit = one_sphere(), dark = one_sphere(), own_sky = one_sphere(),
+          own_camera = one_sphere();
     for (Scene* scene : {&lit, &dark, &own_sky, &own_camera}) scene->point_lights.emplace_back();
     own_sky.environment.radiance = glm::vec3(0.1f);
     own_camera.cameras.emplace_back();
@@ -126,7 +127,8 @@ TEST_CASE("an environment that is given replaces the file's own before a studio 
     const test::ScratchFolder folder;
     const auto path = folder.write("a.toml", "[[shape]]\ntype = \"sphere\"\n");
     CHECK(load_scene(path).notes.size() == 2); // of the camera and the studio
-    const Scene lit = load_scene(path, {.environment = Environment{.radiance = glm::vec3(0.25f), .map = {}}});
+    const Scene lit =
+        load_scene(path, {.environment = Environment{.radiance = glm::vec3(0.25f), .map = {}}});
     CHECK(lit.environment.radiance == glm::vec3(0.25f));
     CHECK(lit.notes.size() == 1);
     const Scene dark = load_scene(path, {.environment = Environment{}});

@@ -137,7 +137,7 @@ TEST_CASE("a scene that is no good is refused by its name") {
          "index.gltf: mesh 0 primitive 0 indices: index 2 is 7, but there are 3 positions"},
         {"cyclic.gltf", "cyclic.gltf: node 0"},
         {"huge.gltf", "4000000000 elements overrun buffer view 0"},
-        {"outside.gltf", "outside.gltf: '../../../etc/passwd' leaves the scene's folder"},
+        {"outside.gltf", "outside.gltf: buffer 0: '../../../etc/passwd' leaves the scene's folder"},
         {"key.toml", "key.toml:2:7: camera.fov is not a key"},
         {"type.toml", "type.toml:2:"},
         {"syntax.toml", "syntax.toml:"},

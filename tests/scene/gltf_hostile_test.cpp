@@ -227,7 +227,7 @@ TEST_CASE("missing buffers and textures are named") {
         const Scene scene = load_scene(path);
         CHECK_THAT(scene.notes.at(0), Catch::Contains("gone.png") && Catch::Contains(problem));
         CHECK(scene.materials.at(0).base_color_texture == NO_TEXTURE);
-        CHECK_THROWS_WITH(load_scene(path, {}, {.strict = true}), Catch::Contains("gone.png"));
+        CHECK_THROWS_WITH(load_scene(path, {.strict = true}), Catch::Contains("gone.png"));
         folder.write("gone.png", "no picture at all");
     }
 }

@@ -42,7 +42,7 @@ class Builder {
                                      "[{{\"uri\": \"b.bin\", \"byteLength\": {}}}], "
                                      "\"bufferViews\": [{}], \"accessors\": [{}], {}}}",
                                      bytes_.size(), views_, accessors_, body)),
-            {}, options);
+            options);
     }
 
   private:
@@ -309,13 +309,13 @@ TEST_CASE("a test model whose cubes move by their interpolation stands where its
     if (!path || !fox) return;
     LoadOptions options;
     options.at = 0.7;
-    const Scene rest = load_scene(*path), moved = load_scene(*path, {}, options);
+    const Scene rest = load_scene(*path), moved = load_scene(*path, options);
     size_t differ = 0;
     for (size_t i = 0; i < rest.instances.size(); ++i)
         differ += rest.instances[i].object_to_world != moved.instances[i].object_to_world;
     CHECK(differ == 9);
     options.animation = "Run";
     const SceneBounds standing = scene_bounds(load_scene(*fox)),
-                      running = scene_bounds(load_scene(*fox, {}, options));
+                      running = scene_bounds(load_scene(*fox, options));
     CHECK(running.high.z - running.low.z > 1.05f * (standing.high.z - standing.low.z));
 }

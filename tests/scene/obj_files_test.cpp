@@ -342,8 +342,8 @@ TEST_CASE("mesh files of more than a load may take are refused before they take 
         ScratchFolder folder;
         const auto path = folder.write(name, content);
         const uint64_t enough = 64 << 20, little = content.size() + (2 << 20);
-        CHECK_NOTHROW(load_scene(path, {}, {.limit = enough}));
-        CHECK_THROWS_WITH(load_scene(path, {}, {.limit = little}),
+        CHECK_NOTHROW(load_scene(path, {.limit = enough}));
+        CHECK_THROWS_WITH(load_scene(path, {.limit = little}),
                           Catch::Contains(name) && Catch::Contains("--load-limit"));
     }
 }

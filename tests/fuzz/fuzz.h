@@ -55,7 +55,7 @@ inline std::string_view text(const uint8_t* data, size_t size) {
 /// budget of a load does.
 inline void load(const std::filesystem::path& path) {
     try {
-        LoadContext context({.limit = uint64_t(256) << 20});
+        LoadContext context({.limit = uint64_t(256) << 20, .at = 0.5}); // animations too
         check_scene(load_part(path, context)); // completing it would take most of the time
     } catch (const InputError& error) {
         if (std::string_view(error.what()).find('\n') != std::string_view::npos) __builtin_trap();

@@ -319,3 +319,17 @@ TEST_CASE("a test model whose cubes move by their interpolation stands where its
                       running = scene_bounds(load_scene(*fox, options));
     CHECK(running.high.z - running.low.z > 1.05f * (standing.high.z - standing.low.z));
 }
+
+TEST_CASE("the fuzzer's first glTF files load, whatever they compress or move") {
+    size_t loaded = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(ONDE_SOURCE_DIR) + "/tests/data/fuzz")) {
+        if (entry.path().extension() != ".gltf") continue;
+        INFO(entry.path().string());
+        LoadOptions options;
+        options.at = 0.5;
+        CHECK_FALSE(load_scene(entry.path(), {}, options).instances.empty());
+        ++loaded;
+    }
+    CHECK(loaded >= 6);
+}

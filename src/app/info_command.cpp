@@ -4,6 +4,7 @@
 #include "app/json.h"
 #include "app/load_request.h"
 #include "core/command_line.h"
+#include "core/text.h"
 #include "gpu/device.h"
 #include "render/memory_plan.h"
 #include "scene/field_text.h"
@@ -156,14 +157,15 @@ void print_text(const Scene& scene, const SceneSummary& summary, const DeviceMem
                counts_text(scene.chapter.area_lights.size(), summary.area_lights));
     fmt::print("environment   {}\n", environment_text(scene.environment));
     for (size_t i = 0; i < scene.cameras.size(); ++i)
-        fmt::print("camera {}      '{}', {:.4g} degrees\n", i, scene.cameras[i].name,
+        fmt::print("camera {}      '{}', {:.4g} degrees\n", i, printable(scene.cameras[i].name),
                    glm::degrees(scene.cameras[i].vertical_fov));
     print_settings(scene.settings);
     fmt::print("bounds        {} to {}\n", vector_text(bounds.low), vector_text(bounds.high));
     fmt::print("host memory   {}\n", size_text(summary.host_bytes));
     print_memory(memory);
     fmt::print("hash          {}\n", scene_hash(scene));
-    for (const std::string& note : scene.notes) fmt::print("note          {}\n", note);
+    for (const std::string& note : scene.notes)
+        fmt::print("note          {}\n", printable(note, std::string::npos));
 }
 
 Json json_vector(const glm::vec3& v) {

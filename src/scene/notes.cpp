@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/shown.h"
+#include "core/text.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,7 @@ namespace onde {
 
 void Notes::add(const std::string& sentence, const std::string& example) {
     const auto [found, is_new] = index_.try_emplace(sentence, entries_.size());
-    if (is_new) entries_.push_back({sentence, shown(example), 0});
+    if (is_new) entries_.push_back({printable(sentence), shown(example), 0});
     ++entries_[found->second].count;
 }
 

@@ -1,18 +1,23 @@
 #include "image/image_io.h"
 #include "scene/load.h"
+#include "scene/loaders.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace onde {
 
-/// Grey becomes three equal channels; alpha is dropped; what is not a radiance becomes 0.
+/// Grey becomes three equal channels; alpha is dropped; what is not a radiance becomes 0. Infinity
+/// stays until bound_environment.
 static Image as_radiance(const Image& image) {
     Image map(image.width, image.height, 3);
     const size_t pixels = size_t(image.width) * image.height;
     for (size_t i = 0; i < pixels; ++i)
         for (size_t c = 0; c < 3; ++c) {
             const float value = image.pixels[i * image.channels + (image.channels < 3 ? 0 : c)];
-            map.pixels[i * 3 + c] = std::isfinite(value) && value > 0.0f ? value : 0.0f;
+            map.pixels[i * 3 + c] = value > 0.0f ? value : 0.0f;
         }
     return map;
 }
@@ -22,6 +27,24 @@ Environment load_environment(const std::filesystem::path& path, glm::vec3 scale,
     return {.radiance = scale,
             .map = as_radiance(read_image(path)),
             .rotation = glm::radians(rotation_degrees)};
+}
+
+void bound_environment(Scene& scene) {
+    if (!scene.environment.map) return;
+    constexpr float LARGEST_HALF = 65504.0f; // beyond it files of half floats say infinity
+    float largest = LARGEST_HALF;
+    size_t infinite = 0;
+    for (const float value : scene.environment.map->pixels)
+        if (std::isfinite(value))
+            largest = std::max(largest, value);
+        else
+            ++infinite;
+    if (infinite == 0) return;
+    for (float& value : scene.environment.map->pixels)
+        if (!std::isfinite(value)) value = largest;
+    scene.notes.push_back(fmt::format("{} infinite numbers of the environment's map were taken as "
+                                      "{:g}.",
+                                      infinite, largest));
 }
 
 } // namespace onde

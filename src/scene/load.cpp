@@ -1,21 +1,12 @@
 #include "scene/load.h"
 
 #include "core/error.h"
+#include "core/files.h"
 #include "core/shown.h"
 #include "scene/loaders.h"
 
-#include <algorithm>
-#include <cctype>
-
 namespace onde {
 namespace fs = std::filesystem;
-
-static std::string lower_extension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return char(std::tolower(c)); });
-    return extension;
-}
 
 Scene load_part(const fs::path& path, LoadContext& context,
                 const std::vector<fs::path>& ancestors) {
@@ -34,6 +25,7 @@ Scene load_scene(const fs::path& path, const LoadOptions& options) {
     LoadContext context(options);
     Scene scene = load_part(path, context);
     if (options.environment) scene.environment = *options.environment;
+    bound_environment(scene);
     try {
         check_scene(scene);
         complete_scene(scene, options, lower_extension(path) != ".toml");

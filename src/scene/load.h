@@ -29,7 +29,8 @@ struct SceneBounds {
 SceneBounds scene_bounds(const Scene& scene);
 
 /// An environment from an equirectangular picture: its pixels times `scale`, turned about +Y.
-/// Pixels that are negative or not finite become 0. Throws InputError as read_image does.
+/// Pixels that are negative or no numbers become 0; infinite ones stay, load_scene bounds them.
+/// Throws InputError as read_image does.
 Environment load_environment(const std::filesystem::path& path, glm::vec3 scale,
                              float rotation_degrees);
 

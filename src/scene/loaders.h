@@ -23,4 +23,7 @@ Scene load_toml(const std::filesystem::path& path, LoadContext& context,
 Scene load_part(const std::filesystem::path& path, LoadContext& context,
                 const std::vector<std::filesystem::path>& ancestors = {});
 
+/// Takes infinite pixels of the environment as large finite ones, with a note.
+void bound_environment(Scene& scene);
+
 } // namespace onde

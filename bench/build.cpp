@@ -3,8 +3,8 @@
 #include "build_report.h"
 #include "front.h"
 
-#include "core/files.h"
 #include "core/log.h"
+#include "core/output.h"
 
 namespace onde::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include "front.h"
 
 #include "core/error.h"
-#include "core/files.h"
+#include "core/output.h"
 #include "image/compare.h"
 #include "scene/load.h"
 

@@ -1,6 +1,6 @@
 #include "figures.h"
 
-#include "core/files.h"
+#include "core/output.h"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ std::string source_commit() {
 }
 
 void write_json(const Json& json, const std::filesystem::path& path) {
-    write_text(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 } // namespace onde::bench

@@ -5,8 +5,8 @@
 #include "front.h"
 #include "traversal_report.h"
 
-#include "core/files.h"
 #include "core/log.h"
+#include "core/output.h"
 
 #include <algorithm>
 #include <map>

@@ -45,7 +45,7 @@ KERNEL_ARROWS = {
 # System headers that only some places may see: pattern, who may, why.
 DOORS = [
     (re.compile(r"CL/"), re.compile(r"src/(gpu|upload|render|chapter)/"), "OpenCL is for gpu, upload, render, chapter"),
-    (re.compile(r"OpenImageIO/"), re.compile(r"src/image/image_io\.cpp"), "only image_io.cpp opens it"),
+    (re.compile(r"png\.h|jpeglib|webp/|tiffio|Imf|stb/|stored_image"), re.compile(r"src/image/"), "pictures are for image_io.h"),
     (re.compile(r"CLI/"), re.compile(r"src/core/command_line\.cpp"), "only command_line.cpp opens it"),
     (re.compile(r"embree"), re.compile(r"^$"), "Embree is an oracle for tests, not for the renderer"),
 ]

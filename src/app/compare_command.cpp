@@ -2,6 +2,7 @@
 
 #include "app/json.h"
 #include "core/error.h"
+#include "core/files.h"
 #include "image/compare.h"
 #include "image/image_io.h"
 
@@ -53,9 +54,10 @@ void print_json(const Metrics& m) {
 }
 
 void write_difference(const std::filesystem::path& path, const Image& difference) {
-    if (path.extension() == ".exr")
+    const std::string extension = lower_extension(path);
+    if (extension == ".exr")
         write_exr(path, difference, {});
-    else if (path.extension() == ".png")
+    else if (extension == ".png")
         write_png(path, difference, {}, {});
     else
         throw InputError("{}: a difference is written as .exr or .png; change the extension",

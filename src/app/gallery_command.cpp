@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "core/output.h"
 
 #include <algorithm>
 #include <memory>
@@ -65,7 +66,7 @@ void write_page(const fs::path& page, const std::vector<GalleryWork>& works,
                 const std::string& device) {
     std::vector<GalleryEntry> entries;
     for (const GalleryWork& work : works) entries.push_back(work.entry);
-    write_text(page, gallery_page(entries, device));
+    write_file(page, gallery_page(entries, device));
     spdlog::info("wrote {}", fs::absolute(page).string());
 }
 

@@ -4,8 +4,8 @@
 #include "app/render_request.h"
 
 #include "core/error.h"
-#include "core/files.h"
 #include "core/log.h"
+#include "core/output.h"
 
 #include <memory>
 
@@ -40,7 +40,7 @@ void run(const InspectRequest& request) {
     fmt::print("pixel {},{} of {}x{}, sample {}\n{}", at.x, at.y, session.options().width,
                session.options().height, at.sample,
                sample_text(report, session.scene(), session.packed()));
-    if (!request.dot.empty()) write_text(request.dot, sample_dot(report, session.scene()));
+    if (!request.dot.empty()) write_file(request.dot, sample_dot(report, session.scene()));
 }
 
 } // namespace

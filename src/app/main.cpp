@@ -5,28 +5,32 @@
 #include "app/gallery_command.h"
 #include "app/info_command.h"
 #include "app/inspect_command.h"
+#include "app/interrupt.h"
 #include "app/reference_command.h"
 #include "app/render_command.h"
 #include "app/volumes_command.h"
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/text.h"
 
+#include <csignal>
 #include <cstdio>
 #include <new>
 
 namespace {
 
-enum ExitCode { SUCCESS = 0, WRONG_INPUT = 2, NO_DEVICE = 3, INTERRUPTED = 130 };
+enum ExitCode { SUCCESS = 0, WRONG_INPUT = 2, NO_DEVICE = 3 };
 
 int fail(ExitCode code, const char* sentence) {
-    std::fprintf(stderr, "onde: %s\n", sentence);
+    std::fprintf(stderr, "onde: %s\n", onde::printable_lines(sentence).c_str());
     return code;
 }
 
 } // namespace
 
 int main(int argc, char** argv) try {
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error where it is written
     onde::set_up_logging(false);
     onde::CommandLine line("onde",
                            "Onde renders scenes on any OpenCL device.\n"
@@ -47,7 +51,7 @@ int main(int argc, char** argv) try {
     line.run(argc, argv);
     if (std::fflush(stdout) != 0) // a full disk behind it, for example
         return fail(WRONG_INPUT, "standard output could not be written");
-    return interrupted ? INTERRUPTED : SUCCESS;
+    return interrupted ? onde::app::StopOnInterrupt::exit_code() : SUCCESS;
 } catch (const onde::InputError& error) {
     return fail(WRONG_INPUT, error.what());
 } catch (const onde::DeviceError& error) {

@@ -5,12 +5,15 @@
 #include "app/render_report.h"
 #include "app/render_request.h"
 
+#include "core/files.h"
 #include "core/log.h"
+#include "core/output.h"
 #include "core/timer.h"
 #include "scene/load.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 
 namespace onde::app {
@@ -25,66 +28,69 @@ ImageMetadata describe_picture(const Session& session, const RenderReport& repor
             {"Software", "Onde " ONDE_VERSION}};
 }
 
-void write_pictures(const std::vector<std::filesystem::path>& outputs, const Image& image,
-                    const RenderRequest& request, const Display& display,
-                    const ImageMetadata& metadata) {
-    const ExrDepth depth = request.full_float ? ExrDepth::full_float : ExrDepth::half_float;
-    for (const auto& path : outputs) {
-        if (path.extension() == ".exr")
-            write_exr(path, image, metadata, depth);
-        else
-            write_png(path, image, display, metadata);
-        spdlog::info("wrote {}", std::filesystem::absolute(path).string());
-    }
+/// One picture in every file that is asked for: `as_exr` and `as_png` write it to a path.
+template <class WriteExr, class WritePng>
+void write_each(const std::vector<std::filesystem::path>& paths, Outputs& outputs, WriteExr as_exr,
+                WritePng as_png) {
+    for (const auto& path : paths)
+        outputs.attempt([&] {
+            is_exr(path) ? as_exr(path) : as_png(path);
+            if (!is_standard_output(path))
+                spdlog::info("wrote {}", std::filesystem::absolute(path).string());
+        });
 }
 
-void write_cost_maps(const std::vector<std::filesystem::path>& outputs, const TraversalCost& map,
-                     const ImageMetadata& metadata) {
-    for (const auto& output : outputs) {
-        const std::filesystem::path path = aov_path(output, TRAVERSAL_COST);
-        if (path.extension() == ".exr")
+void write_pictures(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
+                    const Image& image, const RenderRequest& request, const Display& display,
+                    const ImageMetadata& metadata) {
+    const ExrDepth depth = request.full_float ? ExrDepth::full_float : ExrDepth::half_float;
+    write_each(
+        paths, outputs, [&](const auto& path) { write_exr(path, image, metadata, depth); },
+        [&](const auto& path) { write_png(path, image, display, metadata); });
+}
+
+void write_cost_maps(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
+                     const TraversalCost& map, const ImageMetadata& metadata) {
+    write_each(
+        aov_paths(paths, TRAVERSAL_COST), outputs,
+        [&](const auto& path) {
             write_exr(path, cost_numbers(map), metadata, ExrDepth::full_float);
-        else
-            write_png(path, heat_picture(map), {}, metadata);
-        spdlog::info("wrote {}", std::filesystem::absolute(path).string());
-    }
+        },
+        [&](const auto& path) { write_png(path, heat_picture(map), {}, metadata); });
     spdlog::info("{} tests of boxes and primitives by camera rays, {:.1f} per pixel, {} at most",
                  map.sum(), double(map.sum()) / (double(map.width) * map.height), map.largest());
 }
 
 /// The numbers of a channel of the film, or grey where the largest is white.
-void write_channel(const std::vector<std::filesystem::path>& outputs, const Image& numbers,
-                   const std::string& name, const ImageMetadata& metadata) {
+void write_channel(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
+                   const Image& numbers, const std::string& name, const ImageMetadata& metadata) {
     const float largest = std::max(*std::ranges::max_element(numbers.pixels), 1e-30f);
-    for (const auto& output : outputs) {
-        const std::filesystem::path path = aov_path(output, name);
-        if (path.extension() == ".exr")
-            write_exr(path, numbers, metadata, ExrDepth::full_float);
-        else
+    write_each(
+        aov_paths(paths, name), outputs,
+        [&](const auto& path) { write_exr(path, numbers, metadata, ExrDepth::full_float); },
+        [&](const auto& path) {
             write_png(path, numbers, {-std::log2(largest), ToneMap::none}, metadata);
-        spdlog::info("wrote {}", std::filesystem::absolute(path).string());
-    }
+        });
 }
 
-void write_all(const std::vector<std::filesystem::path>& outputs, Session& session,
+void write_all(const std::vector<std::filesystem::path>& paths, Outputs& outputs, Session& session,
                const RenderRequest& request, const RenderReport& report) {
     Display display = display_of(session.scene().settings, session.options().integrator);
     display.exposure = request.exposure.value_or(display.exposure);
     display.tone_map = request.tone_map.value_or(display.tone_map);
     const ImageMetadata metadata = describe_picture(session, report);
-    write_pictures(outputs, session.picture(), request, display, metadata);
+    write_pictures(paths, outputs, session.picture(), request, display, metadata);
     for (const std::string& aov : request.aovs)
         if (aov == TRAVERSAL_COST)
-            write_cost_maps(outputs, session.traversal_cost(), metadata);
+            write_cost_maps(paths, outputs, session.traversal_cost(), metadata);
         else
             write_channel(
-                outputs,
+                paths, outputs,
                 session.film().develop(*std::ranges::find(FILM_CHANNELS, aov, &FilmChannel::name)),
                 aov, metadata);
 }
 
-RenderOutcome render_until_done(Session& session, bool quiet) {
-    const StopOnInterrupt interrupt;
+RenderOutcome render_until_done(Session& session, const StopOnInterrupt& interrupt, bool quiet) {
     const gpu::BuildReport& kernels = session.prepare();
     spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", session.options().width,
                  session.options().height, session.device().facts().name,
@@ -111,13 +117,20 @@ void tell_findings(Session& session, const RenderOutcome& outcome) {
                      outcome.samples);
 }
 
+/// Standard output, unless a picture or the JSON goes there.
+std::FILE* stream_for_words(const RenderRequest& request) {
+    const bool taken = is_standard_output(request.json) ||
+                       std::ranges::any_of(request.outputs, is_standard_output);
+    return taken ? stderr : stdout;
+}
+
 /// Renders one request; returns whether it was interrupted.
 bool run(const RenderRequest& request) {
     set_up_logging(request.quiet);
     const Timer total;
     RenderReport report{.scene = request.scene.string()};
     check_request(request);
-    const auto outputs = resolve_outputs(request);
+    const auto paths = resolve_outputs(request);
     const bool timed = request.stats || !request.json.empty();
     Machine machine =
         open_machine(request.machine, timed ? gpu::Profiling::on : gpu::Profiling::off);
@@ -126,16 +139,20 @@ bool run(const RenderRequest& request) {
     report.load_seconds = loading.seconds();
     Session session = open_session(machine, std::move(scene), request);
     report.scene_hash = scene_hash(session.scene());
-    report.outcome = render_until_done(session, request.quiet);
+    const StopOnInterrupt interrupt; // what is rendered is saved, while it is written too
+    report.outcome = render_until_done(session, interrupt, request.quiet);
     tell_findings(session, report.outcome);
     if (report.outcome.samples == 0) return true;
 
     const Timer writing;
-    write_all(outputs, session, request, report);
+    Outputs outputs;
+    write_all(paths, outputs, session, request, report);
     report.write_seconds = writing.seconds();
     report.total_seconds = total.seconds();
-    if (request.stats) print_report(session, report);
-    if (!request.json.empty()) write_report(session, report, request.json);
+    if (request.stats) print_report(session, report, stream_for_words(request));
+    if (!request.json.empty())
+        outputs.attempt([&] { write_report(session, report, request.json); });
+    outputs.check();
     return report.outcome.interrupted;
 }
 

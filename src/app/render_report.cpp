@@ -1,7 +1,7 @@
 #include "app/render_report.h"
 
 #include "app/json.h"
-#include "core/files.h"
+#include "core/output.h"
 #include "upload/layout_choice.h"
 
 #include <fmt/format.h>
@@ -25,10 +25,12 @@ std::string engine_name(const RenderOptions& options) {
     return fmt::format("{}, {}", engine, word_of(options.settings.launch));
 }
 
-void print_rays(const RenderOptions& options, const RenderOutcome& outcome, const RayCounts& rays) {
+void print_rays(std::FILE* to, const RenderOptions& options, const RenderOutcome& outcome,
+                const RayCounts& rays) {
     const double seconds = std::max(outcome.seconds, 1e-9);
     const double paths = double(options.width) * options.height * outcome.samples;
-    fmt::print("rays      {:.1f} M closest-hit, {:.1f} M shadow; {:.2f} Mrays/s, {:.2f} per path\n",
+    fmt::print(to,
+               "rays      {:.1f} M closest-hit, {:.1f} M shadow; {:.2f} Mrays/s, {:.2f} per path\n",
                mega(double(sum(rays.extension))), mega(double(sum(rays.shadow))),
                mega(double(rays.total())) / seconds, double(rays.total()) / paths);
 }
@@ -39,34 +41,35 @@ double mebi(const std::vector<gpu::BufferSize>& buffers) {
 
 } // namespace
 
-void print_report(Session& session, const RenderReport& r) {
+void print_report(Session& session, const RenderReport& r, std::FILE* to) {
     const gpu::DeviceFacts& device = session.device().facts();
     const RenderOptions& options = session.options();
     const Bvh& bvh = session.packed().bvh;
     const gpu::BuildReport& kernels = session.prepare();
     const MemoryPlan plan = session.memory_plan();
-    fmt::print("device    {} ({}, driver {})\n", device.name, device.platform,
+    fmt::print(to, "device    {} ({}, driver {})\n", device.name, device.platform,
                device.driver_version);
-    fmt::print("engine    {}: {}\n", engine_name(options), gpu::describe(options.settings));
-    fmt::print("scene     {} triangles, {} spheres, {} instances; loaded in {:.3f} s\n",
+    fmt::print(to, "engine    {}: {}\n", engine_name(options), gpu::describe(options.settings));
+    fmt::print(to, "scene     {} triangles, {} spheres, {} instances; loaded in {:.3f} s\n",
                bvh.statistics.triangles, bvh.statistics.spheres, bvh.statistics.instances,
                r.load_seconds);
-    fmt::print("bvh       {}: {} nodes, {} leaf blocks, SAH cost {:.1f}; built in {:.3f} s "
+    fmt::print(to,
+               "bvh       {}: {} nodes, {} leaf blocks, SAH cost {:.1f}; built in {:.3f} s "
                "({:.2f} Mtriangles/s)\n",
                word_of(bvh.layout), bvh.statistics.nodes, bvh.statistics.blocks,
                bvh.statistics.sah_cost, bvh.statistics.build_seconds,
                mega(bvh.statistics.triangles / std::max(bvh.statistics.build_seconds, 1e-9)));
-    fmt::print("kernels   {} in {:.3f} s\n",
+    fmt::print(to, "kernels   {} in {:.3f} s\n",
                kernels.from_cache ? "loaded from the cache" : "compiled", kernels.seconds);
-    fmt::print("memory    scene {:.1f} MiB, paths in flight {:.1f} MiB, film {:.1f} MiB\n",
+    fmt::print(to, "memory    scene {:.1f} MiB, paths in flight {:.1f} MiB, film {:.1f} MiB\n",
                mebi(plan.scene), mebi(plan.paths), mebi(plan.film));
-    fmt::print("render    {:.4g} samples per pixel in {:.3f} s\n", r.outcome.samples,
+    fmt::print(to, "render    {:.4g} samples per pixel in {:.3f} s\n", r.outcome.samples,
                r.outcome.seconds);
-    print_rays(options, r.outcome, session.ray_counts());
+    print_rays(to, options, r.outcome, session.ray_counts());
     for (const auto& [name, time] : session.kernel_times())
-        fmt::print("kernel    {:<12} {:8.3f} s in {} launches\n", name, time.seconds,
+        fmt::print(to, "kernel    {:<12} {:8.3f} s in {} launches\n", name, time.seconds,
                    time.launches);
-    fmt::print("total     {:.3f} s\n", r.total_seconds);
+    fmt::print(to, "total     {:.3f} s\n", r.total_seconds);
 }
 
 void write_report(Session& session, const RenderReport& r, const std::filesystem::path& path) {
@@ -113,7 +116,7 @@ void write_report(Session& session, const RenderReport& r, const std::filesystem
     };
     for (const auto& [name, time] : session.kernel_times())
         json["kernels"][name] = {{"seconds", time.seconds}, {"launches", time.launches}};
-    write_text(path, json_text(json));
+    write_file(path, json_text(json));
 }
 
 } // namespace onde::app

@@ -3,6 +3,7 @@
 
 #include "session/session.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -15,10 +16,10 @@ struct RenderReport {
     RenderOutcome outcome{};
 };
 
-/// Several lines to standard output.
-void print_report(Session& session, const RenderReport& report);
+/// Several lines to that stream.
+void print_report(Session& session, const RenderReport& report, std::FILE* to);
 
-/// The report as a JSON object, written atomically.
+/// The report as a JSON object, as write_file writes.
 void write_report(Session& session, const RenderReport& report, const std::filesystem::path& path);
 
 } // namespace onde::app

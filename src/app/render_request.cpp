@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "core/output.h"
 #include "scene/load.h"
 #include "upload/layout_choice.h"
 
@@ -11,9 +12,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace onde::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// As in scene files.
 constexpr float MOST_STOPS = 64.0f;
@@ -44,8 +48,8 @@ void declare_view(Command& command, RenderRequest& r) {
 
 void declare_picture(Command& command, RenderRequest& r) {
     command.option("-o,--output", &r.outputs,
-                   "Picture to write, .png or .exr; may be given several times\n"
-                   "(SCENE.png in the current folder)",
+                   "Picture to write, .png or .exr, or - for a PNG to standard output;\n"
+                   "may be given several times (SCENE.png in the current folder)",
                    {.value = "FILE"});
     command.option("--spp", &r.choices.samples, "Samples per pixel (the scene's, else 64)",
                    {.value = "N"});
@@ -97,8 +101,26 @@ void declare_engine(Command& command, RenderRequest& r) {
 
 void declare_reports(Command& command, RenderRequest& r) {
     command.flag("--stats", r.stats, "Print times, rays, memory and kernel times");
-    command.option("--json", &r.json, "Write the same numbers to this file", {.value = "FILE"});
+    command.option("--json", &r.json,
+                   "Write the same numbers to this file, or - for standard output",
+                   {.value = "FILE"});
     command.flag("--quiet", r.quiet, "Print warnings and errors only");
+}
+
+/// Devices and pipes may take several.
+void check_outputs(const std::vector<fs::path>& paths) {
+    std::set<fs::path> taken;
+    for (const fs::path& path : paths) {
+        check_writable(path);
+        std::error_code ignored;
+        const bool standard = is_standard_output(path);
+        if (!standard && fs::is_other(path, ignored)) continue;
+        const fs::path place =
+            standard ? STANDARD_OUTPUT : fs::weakly_canonical(fs::absolute(path), ignored);
+        if (!taken.insert(place).second)
+            throw InputError("{}: two outputs cannot go to the same place; name another",
+                             standard ? "standard output" : path.string());
+    }
 }
 
 } // namespace
@@ -187,17 +209,31 @@ std::filesystem::path aov_path(const std::filesystem::path& output, const std::s
     return path.replace_extension(name + output.extension().string());
 }
 
+std::vector<std::filesystem::path> aov_paths(const std::vector<std::filesystem::path>& outputs,
+                                             const std::string& name) {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& output : outputs) paths.push_back(aov_path(output, name));
+    return paths;
+}
+
+bool is_exr(const std::filesystem::path& output) {
+    return lower_extension(output) == ".exr";
+}
+
 std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request) {
     std::vector<std::filesystem::path> outputs = request.outputs;
     if (outputs.empty()) outputs.push_back(request.scene.stem().string() + ".png");
+    std::vector<std::filesystem::path> all = outputs;
     for (const auto& path : outputs) {
-        if (path.extension() != ".png" && path.extension() != ".exr")
+        if (is_standard_output(path) && !request.aovs.empty())
+            throw InputError("--aov needs a file to name its pictures after; give one with -o");
+        if (!is_standard_output(path) && lower_extension(path) != ".png" && !is_exr(path))
             throw InputError("{}: pictures are written as .png or .exr; change the extension",
                              path.string());
-        check_writable(path);
-        for (const std::string& aov : request.aovs) check_writable(aov_path(path, aov));
+        for (const std::string& aov : request.aovs) all.push_back(aov_path(path, aov));
     }
-    if (!request.json.empty()) check_writable(request.json);
+    if (!request.json.empty()) all.push_back(request.json);
+    check_outputs(all);
     return outputs;
 }
 

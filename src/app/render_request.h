@@ -73,8 +73,14 @@ std::vector<std::string> aov_words();
 /// Where a picture's companion of that name goes: out.png's "a" to out.a.png.
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name);
 
+std::vector<std::filesystem::path> aov_paths(const std::vector<std::filesystem::path>& outputs,
+                                             const std::string& name);
+
+/// Whether a picture of that name is OpenEXR; else it is PNG.
+bool is_exr(const std::filesystem::path& output);
+
 /// The outputs, or SCENE's name with .png in the current folder when none was given; each must be
-/// .png or .exr and be writable. Throws InputError.
+/// .png or .exr, or standard output, be writable, and be there once. Throws InputError.
 std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request);
 
 } // namespace onde::app

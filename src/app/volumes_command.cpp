@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "core/output.h"
 #include "gpu/settings.h"
 #include "scene/load.h"
 
@@ -28,7 +29,7 @@ void check(const VolumesRequest& request) {
     if (!(request.trials >= 0 && request.trials <= 1e12))
         throw InputError("--trials {} is out of range; use 0 to 1e12", request.trials);
     if (request.plot.empty()) return;
-    if (request.plot.extension() != ".svg")
+    if (lower_extension(request.plot) != ".svg")
         throw InputError("{}: plots are written as .svg; change the extension",
                          request.plot.string());
     check_writable(request.plot);
@@ -63,7 +64,7 @@ void run(const VolumesRequest& request) {
         fmt::print("{}", trials_text(try_volumes(machine.device, tester, object,
                                                  uint64_t(request.trials), 1)));
     if (!request.plot.empty())
-        write_text(request.plot, lab_svg(report, request.scene.filename().string()));
+        write_file(request.plot, lab_svg(report, request.scene.filename().string()));
 }
 
 } // namespace

@@ -2,9 +2,7 @@
 
 #include "core/error.h"
 
-#include <atomic>
 #include <fstream>
-#include <unistd.h>
 
 namespace onde {
 namespace fs = std::filesystem;
@@ -27,51 +25,11 @@ std::string read_file(const fs::path& path, uint64_t limit) {
     return bytes;
 }
 
-static fs::path temporary_beside(const fs::path& path) {
-    static std::atomic<unsigned> counter{0};
-    fs::path name = path.stem();
-    name += fmt::format(".{}-{}.tmp", ::getpid(), counter++);
-    name += path.extension();
-    return path.parent_path() / name;
-}
-
-void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-    const fs::path temporary = temporary_beside(path);
-    std::error_code ignored;
-    try {
-        write(temporary);
-        fs::rename(temporary, path);
-    } catch (const fs::filesystem_error& error) {
-        fs::remove(temporary, ignored);
-        throw InputError("{}: cannot be written ({})", path.string(), error.code().message());
-    } catch (...) {
-        fs::remove(temporary, ignored);
-        throw;
-    }
-}
-
-void write_text(const fs::path& path, std::string_view text) {
-    replace_file(path, [&](const fs::path& temporary) {
-        std::ofstream out(temporary, std::ios::binary);
-        out << text;
-        if (!out.flush()) throw InputError("{}: cannot be written", path.string());
-    });
-}
-
-void check_writable(const fs::path& path) {
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    std::error_code error;
-    if (path.filename().empty() || fs::is_directory(path, error))
-        throw InputError("{}: is a folder; give the name of a file in it", path.string());
-    if (!fs::is_directory(folder, error))
-        throw InputError("{}: the folder {} does not exist; create it first", path.string(),
-                         folder.string());
-    const fs::path probe = temporary_beside(path);
-    const bool created = bool(std::ofstream(probe, std::ios::binary));
-    fs::remove(probe, error);
-    if (!created)
-        throw InputError("{}: the folder {} is not writable; choose another output", path.string(),
-                         folder.string());
+std::string lower_extension(const fs::path& path) {
+    std::string extension = path.extension().string();
+    for (char& letter : extension)
+        if (letter >= 'A' && letter <= 'Z') letter = char(letter - 'A' + 'a');
+    return extension;
 }
 
 } // namespace onde

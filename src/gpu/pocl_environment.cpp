@@ -1,10 +1,12 @@
 #include "gpu/pocl_environment.h"
 
+#include "core/abandoned.h"
 #include "gpu/program.h"
 
 #include <fmt/ranges.h>
 
 #include <cstdlib>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
@@ -31,14 +33,19 @@ bool has_room(const std::string& folder) {
            uint64_t(disk.f_bavail) * disk.f_frsize >= ROOM && !(disk.f_flag & ST_NOEXEC);
 }
 
-/// A folder of this process, gone at exit.
+constexpr const char* SCRATCH = "onde-pocl-";
+
+/// A folder of this process, gone at exit; those of processes that were killed go with the next.
 class Scratch {
   public:
     /// In the first of the parents that has room; nowhere when none has.
     explicit Scratch(const std::vector<std::string>& parents) {
         for (const std::string& parent : parents) {
-            std::string name = parent + "/onde-pocl-XXXXXX";
+            remove_abandoned(parent, SCRATCH);
+            std::string name = parent + "/" + SCRATCH + "XXXXXX";
             if (!has_room(parent) || !mkdtemp(name.data())) continue;
+            in_use_ = Descriptor(open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+            if (!in_use_ || !hold(in_use_)) continue;
             path_ = name;
             return;
         }
@@ -54,6 +61,7 @@ class Scratch {
 
   private:
     fs::path path_; ///< empty: nowhere
+    Descriptor in_use_;
 };
 
 std::vector<std::string> scratch_parents() {

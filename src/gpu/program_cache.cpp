@@ -1,10 +1,10 @@
 // Compiled programs on disk. An entry is a magic word, a checksum of the binary, and the binary.
 #include "core/files.h"
 #include "core/hash.h"
+#include "core/output.h"
 #include "gpu/program.h"
 
 #include <cstdlib>
-#include <fstream>
 
 namespace onde::gpu {
 namespace fs = std::filesystem;
@@ -21,7 +21,7 @@ fs::path entry_path(const fs::path& folder, const std::string& key) {
     return folder / (key + std::string(EXTENSION));
 }
 
-/// The files of the folder that are ours, those left by an interrupted write included.
+/// The files of the folder that are ours.
 std::vector<fs::path> entry_files(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code ignored;
@@ -58,6 +58,7 @@ std::vector<ProgramCache::Entry> ProgramCache::list() const {
 
 size_t ProgramCache::clear() const {
     size_t removed = 0;
+    remove_unfinished(folder_);
     std::error_code ignored;
     for (const fs::path& file : entry_files(folder_)) removed += fs::remove(file, ignored);
     return removed;
@@ -81,12 +82,7 @@ void ProgramCache::store(const std::string& key, const std::string& binary) cons
     if (folder_.empty()) return;
     try {
         fs::create_directories(folder_);
-        replace_file(entry_path(folder_, key), [&](const fs::path& temporary) {
-            std::ofstream out(temporary, std::ios::binary);
-            out.exceptions(std::ios::failbit | std::ios::badbit);
-            out << header(binary) << binary;
-            out.close();
-        });
+        write_file(entry_path(folder_, key), header(binary) + binary);
     } catch (const std::exception&) { // a full or read-only disk only costs the next start time
     }
 }

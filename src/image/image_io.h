@@ -1,4 +1,4 @@
-// Pictures in files. The only door to OpenImageIO: nothing else includes it.
+// Pictures in files, in and out.
 #pragma once
 
 #include "core/enum_words.h"
@@ -16,27 +16,41 @@ namespace onde {
 /// Text attributes stored in a file's header (scene hash, seed, samples, device, version).
 using ImageMetadata = std::map<std::string, std::string>;
 
-/// Reads any format OpenImageIO knows as linear floats with 1, 3 or 4 channels. 8- and 16-bit
-/// integer files are taken as sRGB and linearised; float files are taken as they are.
-/// Throws InputError for a missing, damaged or absurdly large file (over 2^28 pixels).
-Image read_image(const std::filesystem::path& path);
+/// Twice a picture of 16384 x 8192.
+inline constexpr uint64_t MOST_PIXELS = uint64_t(1) << 28;
 
-/// The text attributes of a file's header; throws InputError like read_image.
+/// Reads PNG, JPEG, OpenEXR, Radiance HDR, WebP, TIFF, TGA, BMP and PFM, whatever the file's name
+/// is, as linear floats with 1, 3 or 4 channels. 8- and 16-bit integer files are taken as sRGB and
+/// linearised; float files are taken as they are. Throws InputError for a file that is missing,
+/// damaged, of another format, or of more than `max_pixels`; the last before it is decoded.
+Image read_image(const std::filesystem::path& path, uint64_t max_pixels = MOST_PIXELS);
+
+/// The text attributes of a PNG's or OpenEXR's header; throws InputError like read_image.
 ImageMetadata read_image_metadata(const std::filesystem::path& path);
 
-/// Decodes an image file held in memory (PNG, JPEG, ...) to 8-bit RGBA. `name` is used in error
-/// sentences only. Throws InputError.
-ByteImage decode_byte_image(std::span<const uint8_t> file, const std::string& name);
+/// Decodes an image file held in memory (the formats of read_image) to 8-bit RGBA; deeper samples
+/// are rounded. `name` is used in error sentences only. Throws InputError like read_image.
+ByteImage decode_byte_image(std::span<const uint8_t> file, const std::string& name,
+                            uint64_t max_pixels = MOST_PIXELS);
+
+struct ImageSize {
+    uint32_t width = 0, height = 0;
+    uint64_t pixels() const { return uint64_t(width) * height; }
+};
+
+/// What decode_byte_image would make of the file, by its header alone: takes microseconds and no
+/// memory. Throws InputError where the header is damaged or of an unknown format.
+ImageSize image_size(std::span<const uint8_t> file, const std::string& name);
 
 enum class ExrDepth { half_float, full_float };
 
-/// Writes linear RGB (or RGBA, or one-channel) floats as ZIP-compressed OpenEXR, by way of
-/// a temporary file and a rename. Values beyond half range are clamped to it when depth is half.
-/// Throws InputError when the file can't be written.
+/// Writes linear RGB (or RGBA, or one-channel) floats as ZIP-compressed OpenEXR, as write_file
+/// does. Values beyond the range of `depth`, infinity too, are clamped to it. Throws InputError
+/// when the file can't be written.
 void write_exr(const std::filesystem::path& path, const Image& image, const ImageMetadata& metadata,
                ExrDepth depth = ExrDepth::half_float);
 
-/// Writes an 8-bit sRGB PNG of linear RGB floats, by way of a temporary file and a rename.
+/// Writes an 8-bit sRGB PNG of linear RGB floats, as write_file does.
 /// Throws InputError when the file can't be written.
 void write_png(const std::filesystem::path& path, const Image& image, const Display& display,
                const ImageMetadata& metadata);

@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/hash.h"
+#include "core/output.h"
 #include "core/timer.h"
 
 #include <algorithm>
@@ -126,12 +127,7 @@ void LayoutMemory::remember(const gpu::DeviceFacts& facts, BvhLayout layout) con
     if (folder_.empty()) return;
     try {
         std::filesystem::create_directories(folder_);
-        replace_file(path(facts), [&](const std::filesystem::path& temporary) {
-            std::ofstream out(temporary, std::ios::binary);
-            out.exceptions(std::ios::failbit | std::ios::badbit);
-            out << word_of(layout);
-            out.close();
-        });
+        write_file(path(facts), word_of(layout));
     } catch (const std::exception&) { // a full or read-only disk only costs another measurement
     }
 }

@@ -1,10 +1,12 @@
-// A folder of its own for each test, removed at its end, and the smallest of file writers.
+// A folder of its own for each test, removed at its end, and the smallest of file readers and
+// writers.
 #pragma once
 
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 namespace onde::test {
@@ -31,6 +33,11 @@ class ScratchFolder {
 
 inline void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
+}
+
+inline std::string read_bytes(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 } // namespace onde::test

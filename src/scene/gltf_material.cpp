@@ -32,11 +32,13 @@ class TextureLoader {
     std::optional<std::span<const uint8_t>> encoded(const ImageSource& image,
                                                     const std::string& name);
     std::optional<ByteImage> decode(const ImageSource& image, const std::string& name);
+    uint32_t first_of_file(uint32_t index, const std::string& user);
     std::optional<ByteImage> decode_any(const TextureSource& texture, const std::string& user);
 
     File& file_;
     Scene& scene_;
     std::map<uint32_t, std::vector<int32_t>> loaded_; ///< the textures of an image
+    std::map<std::string, uint32_t> first_images_;    ///< by what they say of their bytes
     std::set<uint32_t> missing_;                      ///< images
 };
 
@@ -68,11 +70,22 @@ std::optional<std::span<const uint8_t>> TextureLoader::encoded(const ImageSource
 std::optional<ByteImage> TextureLoader::decode(const ImageSource& image, const std::string& name) {
     const auto bytes = encoded(image, name);
     if (!bytes) return std::nullopt;
+    std::optional<ByteImage> pixels;
     try {
-        return decode_byte_image(*bytes, file_.where(name));
+        pixels = decode_byte_image(*bytes, file_.where(name));
     } catch (const InputError&) {
         return std::nullopt;
     }
+    file_.context.spend(pixels->rgba.size(), 2, file_.where(name)); // here, and packed
+    return pixels;
+}
+
+/// The first image of the file with the same bytes, by what it says of them.
+uint32_t TextureLoader::first_of_file(uint32_t index, const std::string& user) {
+    const ImageSource& image = at(file_, file_.document.images, index, "image", user);
+    const std::string bytes =
+        image.view ? fmt::format("view {}", *image.view) : "file " + image.uri.value_or("");
+    return first_images_.try_emplace(bytes, index).first->second;
 }
 
 std::string label_of(const ImageSource& image) {
@@ -121,7 +134,8 @@ int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_v
     use.wrap_v = wrap_mode(sampler.wrap_v);
     constexpr uint32_t NEAREST = 9728;
     if (sampler.magnify == NEAREST) use.filter = TextureFilter::nearest;
-    std::vector<int32_t>& loaded = loaded_[*texture.image];
+    const uint32_t first = first_of_file(*texture.image, user);
+    std::vector<int32_t>& loaded = loaded_[first];
     for (const int32_t known : loaded)
         if (use_of(scene_.textures[size_t(known)]) == use) return known;
     const ImageSource& image = at(file_, file_.document.images, *texture.image, "image", user);
@@ -129,10 +143,10 @@ int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_v
         loaded.push_back(add_texture(scene_.textures, label_of(image), {}, use, loaded.front()));
         return loaded.back();
     }
-    if (missing_.contains(*texture.image)) return NO_TEXTURE;
+    if (missing_.contains(first)) return NO_TEXTURE;
     auto pixels = decode_any(texture, user);
     if (!pixels) {
-        missing_.insert(*texture.image);
+        missing_.insert(first);
         return NO_TEXTURE;
     }
     loaded.push_back(add_texture(scene_.textures, label_of(image), std::move(*pixels), use));

@@ -202,7 +202,7 @@ Index MeshLoader::build(const MeshSource& source, uint32_t mesh, const Pose& pos
             continue;
         }
         if (!attribute(primitive, "POSITION")) {
-            file_.notes.add("Primitives without POSITION are skipped", user);
+            file_.notes.wrong("Primitives without POSITION are skipped", user);
             continue;
         }
         primitive.material = material_of(primitive, variant_);

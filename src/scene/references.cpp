@@ -88,6 +88,7 @@ int32_t add_texture_file(Scene& scene, LoadContext& context, const fs::path& fol
     const std::string bytes = read_file(path);
     ByteImage image = decode_byte_image(
         {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, path.string());
+    context.spend(image.rgba.size(), 2, where); // here, and packed
     return add_texture(textures, path.string(), std::move(image), use);
 }
 

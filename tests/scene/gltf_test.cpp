@@ -179,6 +179,26 @@ TEST_CASE("of a texture's images the first that can be read counts") {
     }
 }
 
+TEST_CASE("a file that several images name is decoded once") {
+    ScratchFolder folder;
+    folder.write("quad.bin", quad_bytes());
+    folder.write("blue.png", test::blue_png());
+    std::string images, textures, materials;
+    for (int i = 0; i < 20; ++i) {
+        const std::string comma = i ? ", " : "", number = std::to_string(i);
+        images += comma + R"({"uri": "blue.png"})";
+        textures += comma + R"({"source": )" + number + "}";
+        materials += comma + R"({"emissiveTexture": {"index": )" + number + "}}";
+    }
+    const auto path = folder.write(
+        "q.gltf", quad_gltf(R"([{"mesh": 0}])", "", ", \"images\": [" + images +
+                                "], \"textures\": [" + textures + "], \"materials\": [" +
+                                materials + "]"));
+    size_t decoded = 0;
+    for (const Texture& texture : load_scene(path).textures) decoded += !texture.image.rgba.empty();
+    CHECK(decoded == 1);
+}
+
 TEST_CASE("an image may not lie out of the folder, though it may be missing") {
     ScratchFolder folder;
     folder.write("quad.bin", quad_bytes());

@@ -125,7 +125,11 @@ INLINE Connection connect_surface(SceneView view, LightPath path, Vertex v, Samp
     const CameraLink link = camera_link(view.frame, v.surface.position, lens);
     const real3 wi = to_local(v.basis, link.direction);
     const real3 f = bsdf_eval(v.bsdf, v.wo, wi).value;
-    const mask useful = lanes & link.valid & nonzero3(f) & true_side(v, wi, link.direction);
+    mask useful = lanes & link.valid & nonzero3(f) & true_side(v, wi, link.direction);
+#if ONDE_CULLING // the camera does not see the surface itself from behind
+    const mask before = (dot3(v.surface.geometric, link.direction) > 0.0f) == v.surface.front;
+    useful = useful & (before | is_double_sided(view, v.surface.material));
+#endif
     if (!mask_bits(useful)) return no_connection();
     const real factor =
         particle_factor(v, negate3(path.direction), wi, link.direction) * link.importance;

@@ -9,6 +9,10 @@
 #include "shade/opacity.h"
 #include "trace/trace.h"
 
+INLINE mask is_double_sided(SceneView view, natural material) {
+    return RECORD_NATURAL(view.materials, material, MaterialRecord, double_sided) != 0u;
+}
+
 #if ONDE_PASSING
 
     // The most surfaces that a ray passes. Behind them a path ends as if the next were opaque, and

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace onde::app {
@@ -32,8 +33,11 @@ void compile(const std::string& name, Machine& machine, Scene scene, SessionOpti
     std::fflush(stdout); // the next may take long
 }
 
+/// Of a render that needs all programs: a film of several blocks has one of its own.
 SessionOptions default_options(const Machine& machine, const Scene& scene) {
-    return {.render = resolve_options({}, scene, machine.device.facts()).options};
+    RenderOptions options = resolve_options({}, scene, machine.device.facts()).options;
+    options.samples = std::max(options.samples, FILM_BLOCK + 1);
+    return {.render = options};
 }
 
 } // namespace

@@ -10,12 +10,17 @@
 namespace onde {
 namespace {
 
-/// Levels that the blocks are carried to; the last block stays where it is added. Splats, which are
-/// exact, need none.
+/// Whether a film may get more than one block. Splats, which are exact, are never carried.
+bool has_several_blocks(const RenderOptions& options) {
+    return options.integrator != IntegratorKind::light &&
+           (options.samples > FILM_BLOCK || options.seconds > 0);
+}
+
+/// Levels that the blocks are carried to; the last block stays where it is added.
 size_t pending_levels(const RenderOptions& options) {
-    if (options.integrator == IntegratorKind::light) return 0;
+    if (!has_several_blocks(options)) return 0;
     if (options.seconds > 0) return 0; // nobody knows how many; they are allocated when they come
-    return size_t(std::bit_width((std::max(options.samples, 1u) - 1) / FILM_BLOCK));
+    return size_t(std::bit_width((options.samples - 1) / FILM_BLOCK));
 }
 
 std::vector<Film::Plane> make_planes(gpu::BufferList& buffers, const RenderOptions& options,
@@ -47,7 +52,16 @@ Film::Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOption
       height_(options.height), channels_(channels.begin(), channels.end()),
       planes_(make_planes(buffers, options, channels)),
       invalid_(buffers.add<uint32_t>("invalid samples", INVALID_SIZE)) {
+    if (has_several_blocks(options)) build();
     clear();
+}
+
+void Film::build() {
+    const gpu::DeviceSettings settings = gpu::default_settings(device_.facts());
+    const size_t items = (pixels() + settings.chunk - 1) / settings.chunk;
+    const uint32_t local = settings.local_size;
+    program_ =
+        programs_.build({"film/carry.cl", {}, {{"join", local, items}, {"carry", local, items}}});
 }
 
 double Film::samples() const {
@@ -88,16 +102,11 @@ void Film::carry(Plane& plane) {
 }
 
 void Film::launch(const char* name, const gpu::Buffer<cl_float4>& pending, const Plane& plane) {
-    const gpu::DeviceSettings settings = gpu::default_settings(device_.facts());
-    const size_t items = (pixels() + settings.chunk - 1) / settings.chunk;
-    if (!program_) {
-        const uint32_t local = settings.local_size;
-        program_ = programs_.build(
-            {"film/carry.cl", {}, {{"join", local, items}, {"carry", local, items}}});
-    }
+    if (!program_) build();
+    const uint32_t chunk = gpu::default_settings(device_.facts()).chunk;
     gpu::Kernel& kernel = program_->kernel(name);
-    kernel.set_from(0, pixels(), settings.chunk, pending, plane.block);
-    kernel.launch(items);
+    kernel.set_from(0, pixels(), chunk, pending, plane.block);
+    kernel.launch((pixels() + chunk - 1) / chunk);
 }
 
 FilmSums Film::join(const Plane& plane) const {

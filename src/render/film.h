@@ -58,6 +58,7 @@ class Film {
     const std::vector<FilmChannel>& channels() const { return channels_; }
     Image develop(const FilmChannel& channel = RADIANCE) const;
 
+    /// Removes its sums. Who counts beside them is in Integrator::clear().
     void clear();
     FilmContents contents() const;
     /// Goes on from there. Throws InputError unless they are of a film of this size, with splats if
@@ -79,6 +80,7 @@ class Film {
   private:
     uint32_t pixels() const { return width_ * height_; }
     size_t levels() const;
+    void build();
     void carry(Plane& plane);
     void launch(const char* kernel, const gpu::Buffer<cl_float4>& pending, const Plane& plane);
     FilmSums join(const Plane& plane) const;
@@ -90,7 +92,7 @@ class Film {
     std::vector<Plane> planes_;
     gpu::Buffer<uint32_t> invalid_, splats_;
     FilmExtent extent_;
-    std::optional<gpu::Program> program_; ///< once something is carried
+    std::optional<gpu::Program> program_; ///< where there are several blocks
 };
 
 } // namespace onde

@@ -76,7 +76,7 @@ class DepthBuffer : public Integrator {
 
     /// Returns whether it was drawn to its end; else it is not on the film.
     bool draw_sample(const std::function<bool()>& keep_going) {
-        clear();
+        clear_depth();
         const uint32_t phases = atomics_ == DepthAtomics::wide ? 1 : 2;
         for (uint32_t phase = 0; phase < phases; phase++)
             for (uint64_t first = 0; first < scene_.primitives(); first += PRIMITIVES_PER_LAUNCH) {
@@ -87,7 +87,7 @@ class DepthBuffer : public Integrator {
         return true;
     }
 
-    void clear() {
+    void clear_depth() {
         gpu::Kernel& kernel = program_.kernel("clear_depth");
         kernel.set_from(0, pixels(), chunk(), depth_.nearest);
         kernel.launch(shares(pixels(), chunk()), context_.profiler);

@@ -71,6 +71,10 @@ class TilePainter : public Painter {
     }
 
     uint32_t max_samples() const override { return MOST_SAMPLES; }
+    void clear() override {
+        painter_.statistics.fill(context_.device(), 0u);
+        film_.clear();
+    }
     Film& film() override { return film_; }
     RayCounts ray_counts() const override { return {}; }
     const gpu::BuildReport& build_report() const override { return report_; }

@@ -27,6 +27,8 @@ class Estimator {
     virtual const EstimatorShape& shape() const = 0;
     /// Binds ESTIMATOR_PARAMETERS from argument `first` on; returns the next index.
     virtual uint32_t bind(gpu::Kernel& kernel, uint32_t first) const = 0;
+    /// Forgets what it has counted and gathered.
+    virtual void clear(const gpu::Device&) {}
 };
 
 /// The path tracer, which has no buffers of its own.

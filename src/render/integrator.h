@@ -26,8 +26,9 @@ class Integrator {
                              const std::function<bool(double)>& keep_going) = 0;
     virtual uint32_t max_samples() const = 0;
 
-    /// Begins anew with another camera and an empty film. False, with nothing done, where that
-    /// takes another integrator.
+    /// Begins anew: an empty film, and nothing counted.
+    virtual void clear() { film().clear(); }
+    /// The same with another camera. False, with nothing done, where that takes another integrator.
     virtual bool set_camera(const Camera&) { return false; }
 
     virtual Film& film() = 0;
@@ -53,11 +54,6 @@ struct IntegratorContext {
 
 /// Ray statistics from a table of counters by [row * COUNTER_BOUNCES + bounce].
 RayCounts ray_counts_of(const std::vector<uint64_t>& counters);
-
-/// The path tracer. The scene and device outlive it.
-std::unique_ptr<Integrator> make_path_integrator(gpu::Programs& programs, const DeviceScene& scene,
-                                                 const Camera& camera, const RenderOptions& options,
-                                                 gpu::Profiler* profiler = nullptr);
 
 /// The light tracer (see render/light_integrator.h).
 std::unique_ptr<Integrator> make_light_integrator(const IntegratorContext& context);

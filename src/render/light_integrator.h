@@ -22,6 +22,7 @@ class LightEstimator : public Estimator {
 
     const EstimatorShape& shape() const override { return shape_; }
     uint32_t bind(gpu::Kernel& kernel, uint32_t first) const override;
+    void clear(const gpu::Device& device) override { statistics_.fill(device, 0u); }
 
     const gpu::Buffer<uint32_t>& splats() const { return splats_; }
     /// What one unit of a splat's fixed point stands for.
@@ -41,7 +42,6 @@ class LightIntegrator : public WaveIntegrator {
     /// Throws InputError for a scene in which nothing emits.
     explicit LightIntegrator(const IntegratorContext& context);
 
-    bool set_camera(const Camera&) override { return false; } // its statistics begin anew
     std::vector<std::string> findings() const override;
     LightCounts counts() const;
 

@@ -31,7 +31,7 @@ static const RenderOptions& checked(const RenderOptions& options) {
 }
 
 WaveIntegrator::WaveIntegrator(const IntegratorContext& c, const MakeEstimator& make)
-    : device_(c.device()), options_(checked(c.options)), buffers_(c.device()),
+    : device_(c.device()), options_(checked(c.options)), camera_(c.camera), buffers_(c.device()),
       film_(c.programs, buffers_.film, options_), estimator_(make(buffers_)),
       engine_(make_engine({c.programs, buffers_, c.scene, film_, c.camera, options_, c.profiler},
                           *estimator_)) {}
@@ -65,10 +65,16 @@ void WaveIntegrator::queue_wave(const Wave& wave) {
     paths_ += wave.paths();
 }
 
-bool WaveIntegrator::set_camera(const Camera& camera) {
-    engine_->begin_picture(camera);
+void WaveIntegrator::clear() {
+    engine_->begin_picture(camera_);
+    estimator_->clear(device_);
     film_.clear();
     paths_ = 0;
+}
+
+bool WaveIntegrator::set_camera(const Camera& camera) {
+    camera_ = camera;
+    clear();
     return true;
 }
 

@@ -17,6 +17,7 @@ class WaveIntegrator : public Integrator {
     void render_pass(uint32_t first, uint32_t count,
                      const std::function<bool(double)>& keep_going) override;
     uint32_t max_samples() const override;
+    void clear() override;
     bool set_camera(const Camera& camera) override;
 
     Film& film() override { return film_; }
@@ -39,6 +40,7 @@ class WaveIntegrator : public Integrator {
 
     const gpu::Device& device_;
     RenderOptions options_;
+    Camera camera_;
     RenderBuffers buffers_;
     Film film_;
     std::unique_ptr<Estimator> estimator_;

@@ -152,6 +152,21 @@ Film& Session::film() {
     return integrator_->film();
 }
 
+void Session::clear() {
+    prepare();
+    integrator_->clear();
+}
+
+KeptFilm Session::keep_film() {
+    return {film_identity(scene_, options_.render, options_.bvh), film().contents()};
+}
+
+void Session::restore_film(const KeptFilm& kept) {
+    check_identity(kept.identity, film_identity(scene_, options_.render, options_.bvh));
+    clear();
+    integrator_->film().restore(kept.contents);
+}
+
 RayCounts Session::ray_counts() {
     prepare();
     return integrator_->ray_counts();

@@ -8,6 +8,7 @@
 #include "render/traversal_cost.h"
 #include "scene/scene.h"
 #include "session/inspect.h"
+#include "session/kept_film.h"
 
 #include <functional>
 #include <memory>
@@ -67,6 +68,13 @@ class Session {
     Film& film();
     /// The film's mean radiance so far.
     Image picture() { return film().develop(); }
+    /// Begins anew: an empty film, nothing counted.
+    void clear();
+    /// The film, to go on with in another session, on any device, in waves of any size.
+    KeptFilm keep_film();
+    /// Goes on from there; rays and findings are counted anew. Throws InputError unless it is a
+    /// film of this scene with all settings that change a sample.
+    void restore_film(const KeptFilm& kept);
     RayCounts ray_counts();
     /// What the integrator has to say about the picture so far, a sentence each.
     std::vector<std::string> findings();

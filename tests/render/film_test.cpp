@@ -205,12 +205,17 @@ TEST_CASE("a cleared film is as new") {
         const auto integrator = studio.integrator(options);
         render_to(*integrator, options, 80);
         const FilmContents expected = integrator->film().contents();
-        integrator->film().clear();
+        const std::vector<std::string> findings = integrator->findings();
+        const uint64_t rays = integrator->ray_counts().total();
+        integrator->clear();
         const Image black = integrator->film().develop();
         CHECK(*std::ranges::max_element(black.pixels) == 0);
+        CHECK(integrator->ray_counts().total() == 0);
         render_to(*integrator, options, 80);
         INFO("integrator " << int(kind));
         CHECK(difference(integrator->film().contents(), expected) == "");
+        CHECK(integrator->findings() == findings);
+        CHECK(integrator->ray_counts().total() == rays);
     }
 }
 

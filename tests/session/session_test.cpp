@@ -90,4 +90,41 @@ TEST_CASE("kernels are timed where that is asked for") {
     CHECK_FALSE(timed.kernel_times().empty());
 }
 
+TEST_CASE("a kept film goes on in another session, by other waves, and counts anew") {
+    for (const IntegratorKind integrator : ALL_INTEGRATORS) {
+        INFO(word_of(integrator));
+        SessionOptions options = small_session(integrator, 3);
+        Session first(programs(), varied_scene(), options);
+        first.render();
+        options.render.samples = 70;
+        options.render.settings.wave_size = 4 * options.render.settings.chunk;
+        Session second(programs(), varied_scene(), options);
+        second.render();
+        second.restore_film(first.keep_film());
+        CHECK(second.ray_counts().total() == 0);
+        CHECK(second.render().samples == 70);
+        CHECK(second.picture().pixels == fresh_picture(varied_scene(), options));
+    }
+}
+
+TEST_CASE("a film of another scene or other settings is refused, with what differs") {
+    Session session(programs(), varied_scene(), small_session());
+    const KeptFilm kept = session.keep_film();
+    const auto check = [&](const char* what, const auto& change) {
+        Scene scene = varied_scene();
+        SessionOptions options = small_session();
+        change(scene, options.render);
+        Session other(programs(), scene, options);
+        CHECK_THROWS_WITH(other.restore_film(kept),
+                          Catch::Contains(std::string("another ") + what));
+    };
+    check("scene", [](Scene& scene, RenderOptions&) { scene.materials[RED].roughness = 0.25f; });
+    check("seed", [](Scene&, RenderOptions& options) { options.seed = 1; });
+    check("width", [](Scene&, RenderOptions& options) { options.width--; });
+    check("depth", [](Scene&, RenderOptions& options) { options.depth--; });
+    check("filter", [](Scene&, RenderOptions& options) { options.filter = Filter::box; });
+    check("integrator",
+          [](Scene&, RenderOptions& options) { options.integrator = IntegratorKind::whitted; });
+}
+
 } // namespace onde::test

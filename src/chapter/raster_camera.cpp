@@ -27,7 +27,7 @@ FrameRecord view_of(const Camera& camera, const RenderOptions& options) {
 Camera parallel_camera(const Camera& camera, glm::vec3 center) {
     Camera parallel = camera;
     parallel.aperture_radius = 0;
-    if (camera.orthographic_height > 0) return parallel;
+    if (camera.orthographic_height) return parallel;
     float depth = glm::dot(center - glm::vec3(camera.camera_to_world[3]), forward_of(camera));
     if (!(depth > 0)) depth = camera.focus_distance;
     if (!camera.screen) {

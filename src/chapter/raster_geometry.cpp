@@ -144,11 +144,11 @@ void note_textured_spheres(PackedRaster& packed, const Scene& scene) {
 }
 
 void note_camera(PackedRaster& packed, const Camera& given, const Camera& parallel) {
-    if (given.orthographic_height > 0) return;
+    if (given.orthographic_height) return;
     packed.notes.push_back(
         fmt::format("the perspective camera was taken as one with parallel rays that sees {:.4g} "
                     "units from top to bottom, as much as it did at the scene's centre",
-                    parallel.orthographic_height));
+                    *parallel.orthographic_height));
 }
 
 } // namespace

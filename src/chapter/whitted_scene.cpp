@@ -20,9 +20,9 @@ void copy(float (&to)[3], glm::vec3 from) {
 constexpr double BLUE_F = 0.4861, YELLOW_D = 0.5876, RED_C = 0.6563;
 
 /// Cauchy's B, per square micrometre.
-float dispersion(float ior, float abbe) {
-    if (!(abbe > 0)) return 0.0f;
-    return float((ior - 1.0) / (abbe * (1 / (BLUE_F * BLUE_F) - 1 / (RED_C * RED_C))));
+float dispersion(float ior, std::optional<float> abbe) {
+    if (!abbe) return 0.0f;
+    return float((ior - 1.0) / (*abbe * (1 / (BLUE_F * BLUE_F) - 1 / (RED_C * RED_C))));
 }
 
 /// Wyman, Sloan and Shirley, "Simple analytic approximations to the CIE XYZ color matching

@@ -29,9 +29,8 @@ static Window view_window(const Camera& camera, glm::vec2 pixels) {
                 screen.first_pixel ? *screen.first_pixel - 0.5f * step : centred};
     }
     const float distance = camera.focus_distance;
-    const float height = camera.orthographic_height > 0
-                             ? camera.orthographic_height
-                             : 2 * distance * std::tan(camera.vertical_fov / 2);
+    const float height =
+        camera.orthographic_height.value_or(2 * distance * std::tan(camera.vertical_fov / 2));
     const float narrower = camera.aspect_ratio.value_or(0) * pixels.y / pixels.x;
     const float step = height / pixels.y * std::max(narrower, 1.0f);
     return {step, distance, -0.5f * step * pixels};
@@ -42,7 +41,7 @@ static void set_camera(FrameRecord& frame, const Camera& camera, uint32_t width,
     const glm::vec3 right(camera.camera_to_world[0]), up(camera.camera_to_world[1]);
     const glm::vec3 forward = -glm::vec3(camera.camera_to_world[2]);
     const Window window = view_window(camera, glm::vec2(float(width), float(height)));
-    frame.orthographic = camera.orthographic_height > 0;
+    frame.orthographic = camera.orthographic_height.has_value();
     const float distance = frame.orthographic ? 0.0f : window.distance;
     copy(frame.origin, origin);
     copy(frame.corner, origin + forward * distance + right * window.corner.x +

@@ -29,13 +29,13 @@ constexpr auto fields_of(TypeTag<ScreenWindow>) {
 
 struct Camera {
     std::string name;
-    glm::mat4 camera_to_world{1.0f};    ///< rotation and translation
-    float vertical_fov = 0.7f;          ///< radians
-    float aperture_radius = 0.0f;       ///< thin lens; 0 is a pinhole
-    float focus_distance = 1.0f;        ///< along the view axis
-    float orthographic_height = 0.0f;   ///< of the view; 0: perspective
-    std::optional<float> aspect_ratio;  ///< width over height that is seen at the least
-    std::optional<ScreenWindow> screen; ///< replaces vertical_fov
+    glm::mat4 camera_to_world{1.0f};            ///< rotation and translation
+    float vertical_fov = 0.7f;                  ///< radians
+    float aperture_radius = 0.0f;               ///< thin lens; 0 is a pinhole
+    float focus_distance = 1.0f;                ///< along the view axis
+    std::optional<float> orthographic_height{}; ///< of the view: parallel rays, else a perspective
+    std::optional<float> aspect_ratio{};        ///< width over height that is seen at the least
+    std::optional<ScreenWindow> screen{};       ///< replaces vertical_fov
 };
 
 constexpr auto fields_of(TypeTag<Camera>) {
@@ -54,7 +54,7 @@ constexpr auto fields_of(TypeTag<Camera>) {
               {.range = POSITIVE, .form = Form::length, .absent = "the distance to `look_at`"}),
         field("orthographic_height", &C::orthographic_height,
               "of the view in world units; parallel rays instead of `vertical_fov`",
-              {.range = NOT_NEGATIVE, .form = Form::length, .absent = "a perspective"}),
+              {.range = POSITIVE, .form = Form::length, .absent = "a perspective"}),
         field("aspect_ratio", &C::aspect_ratio,
               "width over height of a view that narrower pictures show whole, by seeing more above "
               "and below",

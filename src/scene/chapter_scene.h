@@ -21,9 +21,9 @@ namespace onde {
 struct Phong {
     float ambient = 1.0f, diffuse = 1.0f, specular = 0.0f; ///< weights of the three parts
     float exponent = 20.0f;                                ///< of the specular part
-    float reflection = 0.0f;   ///< factor of light that comes along the mirror direction
-    float transmission = 0.0f; ///< factor of light that comes through
-    float abbe = 0.0f;         ///< Abbe number V_d of the index; 0: no dispersion
+    float reflection = 0.0f;     ///< factor of light that comes along the mirror direction
+    float transmission = 0.0f;   ///< factor of light that comes through
+    std::optional<float> abbe{}; ///< Abbe number V_d of the index; without it, no dispersion
 };
 
 /// Keys of [[material]], beside those of Material.
@@ -42,8 +42,8 @@ constexpr auto fields_of(TypeTag<Phong>) {
                             {.range = UNIT, .absent = "`0`, but by kind"}),
                       field("transmission", &P::transmission, "factor of light that comes through",
                             {.range = UNIT, .absent = "`0`, but by kind"}),
-                      field("abbe", &P::abbe, "Abbe number of the index; 0 does not disperse",
-                            {.range = NOT_NEGATIVE})};
+                      field("abbe", &P::abbe, "Abbe number of the index",
+                            {.range = POSITIVE, .absent = "no dispersion"})};
 }
 
 enum class AreaLightKind : uint32_t { rectangle, disk, sphere };

@@ -94,9 +94,11 @@ glm::mat4 rigid_part(const glm::mat4& transform) {
 static Camera placed(Camera camera, const glm::mat4& transform) {
     const float scale = std::cbrt(std::abs(glm::determinant(glm::mat3(transform))));
     camera.camera_to_world = rigid_part(transform * camera.camera_to_world);
-    for_each_field(camera, [&](const auto& field, auto& value) {
-        if constexpr (std::is_same_v<decltype(value), float&>)
-            if (field.rules.form == Form::length) value *= scale;
+    for_each_field(camera, [&]<class Value>(const auto& field, Value& value) {
+        if (field.rules.form != Form::length) return;
+        if constexpr (std::is_same_v<Value, float>) value *= scale;
+        if constexpr (std::is_same_v<Value, std::optional<float>>)
+            if (value) *value *= scale;
     });
     return camera;
 }

@@ -51,7 +51,7 @@ constexpr auto fields_of(TypeTag<RenderSettings>) {
         field_without_key(&S::height, "height", {.range = FILM_SIZE}),
         field("samples", &S::samples, "per pixel", {.range = {.low = 1, .high = 1u << 24}}),
         field("depth", &S::depth, "the most surfaces that a path may visit",
-              {.range = {.low = 1, .high = 1u << 16}}),
+              {.range = {.low = 1, .high = 1023}}),
         field("seed", &S::seed, "of the random numbers",
               {.range = {.low = 0, .high = 0xffffffffu}}),
         field("filter", &S::filter, "of the pixels"),

@@ -194,10 +194,16 @@ void TomlScene::read_shape(const TableReader& table) {
     }
 }
 
-/// Of the chapter's measure and the radiometric one at least one is needed.
+/// Of the chapter's measure and the radiometric one at least one is needed. One that is left out
+/// follows from the other, and so would one that is black.
 static void require_measure(const TableReader& table, std::string_view radiometric) {
-    if (!table.has("chapter_intensity") && !table.has(radiometric))
-        table.fail(radiometric, "is missing; add it, or chapter_intensity");
+    const auto measure = table.color(radiometric, NOT_NEGATIVE);
+    const auto intensity = table.color("chapter_intensity", NOT_NEGATIVE);
+    if (!measure && !intensity) table.fail(radiometric, "is missing; add it, or chapter_intensity");
+    const glm::vec3 black(0.0f);
+    if (measure && intensity && (*measure == black) != (*intensity == black))
+        table.fail(*measure == black ? radiometric : "chapter_intensity",
+                   "is black beside a light that is not; leave it out, or give a value above 0");
 }
 
 /// Reads a light without geometry, of which the chapter may say more.

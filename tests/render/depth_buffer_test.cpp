@@ -179,9 +179,9 @@ TEST_CASE("a perspective camera sees as much at the scene's centre, and says so"
         return scene;
     };
     Scene by_angle = middle_card(), by_screen = middle_card();
-    by_angle.cameras[0].orthographic_height = 0; // at distance 10, the height is 4
+    by_angle.cameras[0].orthographic_height.reset(); // at distance 10, the height is 4
     by_angle.cameras[0].vertical_fov = 2 * std::atan(0.2f);
-    by_screen.cameras[0].orthographic_height = 0;
+    by_screen.cameras[0].orthographic_height.reset();
     by_screen.cameras[0].screen = ScreenWindow{{0.96f, 0.8f}, 2, std::nullopt};
     const Image expected = draw_depth(middle_card(), DepthAtomics::narrow);
     for (const Scene& scene : {by_angle, by_screen}) {

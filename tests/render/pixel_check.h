@@ -22,7 +22,7 @@ class PixelCheck {
   public:
     PixelCheck(const Scene& scene, uint32_t width, uint32_t height)
         : scene_(scene), height_(height), width_(width),
-          pixel_(double(scene.cameras[0].orthographic_height) / height) {}
+          pixel_(double(*scene.cameras[0].orthographic_height) / height) {}
 
     std::optional<glm::vec3> color(uint32_t x, uint32_t y) {
         place_ = {(x + 0.5 - width_ / 2.0) * pixel_, (height_ / 2.0 - y - 0.5) * pixel_};

@@ -61,6 +61,7 @@ TEST_CASE("values out of range are refused with what is allowed") {
              {SPHERE + "[film]\nsize = [0, 100]\n", {"film.size", "between 1 and 65535"}},
              {SPHERE + "[film]\nsize = [1.5, 100]\n", {"film.size", "whole"}},
              {SPHERE + "[render]\nsamples = 0\n", {"render.samples", "between 1"}},
+             {SPHERE + "[render]\ndepth = 1024\n", {"render.depth", "between 1 and 1023"}},
              {SPHERE + "[render]\nfilter = \"boxx\"\n", {"render.filter", "'box'"}},
              {SPHERE + "[[material]]\nname = \"a\"\ncolor = 2\n", {"material[0].color", "0 and 1"}},
              {SPHERE + "[[material]]\nname = \"a\"\nemission = -1\n",
@@ -69,6 +70,23 @@ TEST_CASE("values out of range are refused with what is allowed") {
              {"[[shape]]\ntype = \"box\"\nscale = [1, 0, 1]\n",
               {"shape[0].scale", "must not be 0"}},
              {"[[shape]]\ntype = \"cube\"\n", {"shape[0].type", "sphere, rectangle"}}})
+        check_refused(c);
+}
+
+TEST_CASE("what would mean nothing is refused, not taken for absent") {
+    const std::string camera = "[camera]\nposition = [0, 0, 5]\nlook_at = [0, 0, 0]\n";
+    const std::string glass = "[[material]]\nname = \"a\"\nkind = \"dielectric\"\n";
+    const std::string point = "[[light]]\ntype = \"point\"\nposition = [0, 3, 0]\n";
+    const std::string disk = "[[light]]\ntype = \"disk\"\n";
+    for (const Case& c : std::vector<Case>{
+             {SPHERE + camera + "orthographic_height = 0\n", {"orthographic_height", "above 0"}},
+             {SPHERE + camera + "orthographic_height = -2\n", {"orthographic_height", "above 0"}},
+             {SPHERE + glass + "abbe = 0\n", {"material[0].abbe", "above 0"}},
+             {SPHERE + point + "intensity = 0\nchapter_intensity = 1\n", {"intensity", "black"}},
+             {SPHERE + point + "intensity = 1\nchapter_intensity = 0\n",
+              {"chapter_intensity", "black"}},
+             {SPHERE + disk + "radiance = 1\nchapter_intensity = 0\n",
+              {"light[0].chapter_intensity", "black"}}})
         check_refused(c);
 }
 

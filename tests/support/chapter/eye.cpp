@@ -24,8 +24,8 @@ Ray camera_ray(const Camera& camera, glm::uvec2 size, const dvec2& film) {
             e = dvec2(*camera.screen->first_pixel) + ij * window / pixels;
         }
         direction = dvec3(e, -double(camera.screen->distance));
-    } else if (camera.orthographic_height > 0) {
-        const double height = double(camera.orthographic_height);
+    } else if (camera.orthographic_height) {
+        const double height = double(*camera.orthographic_height);
         origin = dvec3(centred.x * height * pixels.x / pixels.y, centred.y * height, 0);
     } else {
         const double half = std::tan(0.5 * double(camera.vertical_fov));

@@ -89,7 +89,7 @@ std::vector<Tracer::Step> Tracer::steps(const Surface& at, const dvec3& view,
         way.mark(refracted.has_value());
         result.push_back({refracted.value_or(reflected), transmission * filter, wavelength});
     };
-    const double abbe = double(phong.abbe);
+    const double abbe = phong.abbe.value_or(0.0f);
     if (abbe > 0 && !way.wavelength)
         for (const Wavelength& wavelength : wavelengths_)
             transmit(refractive_index(index, abbe, wavelength.micrometres), wavelength.filter,

@@ -45,6 +45,9 @@ std::string kind_text(const FieldRules& rules) {
     if constexpr (std::is_same_v<T, int32_t>)
         return rules.form == Form::srgb_texture ? "texture (sRGB)" : "texture (linear)";
     if constexpr (std::is_same_v<T, glm::vec2>) return with_range("`[x, y]`", rules.range);
+    if constexpr (std::is_same_v<T, glm::uvec2>)
+        return with_range("`[x, y]`, whole numbers", rules.range);
+    if constexpr (std::is_same_v<T, std::vector<std::string>>) return "`[text, ...]`";
     if constexpr (std::is_same_v<T, glm::vec3>) {
         if (rules.form == Form::degrees) return "`[x, y, z]` in degrees";
         const char* kind = rules.form == Form::color ? "`[x, y, z]` or one number" : "`[x, y, z]`";
@@ -171,6 +174,8 @@ std::vector<ReferenceTable> reference_tables() {
             {"material", key_table<Material>()},
             {"texture", key_table<TextureFile>()},
             {"phong", key_table<Phong>()},
+            {"lesson", key_table<Lesson>()},
+            {"expect", key_table<Expectation>()},
             {"placement", key_table<Placement>()},
             {"shape", key_table<toml_keys::Shape>()},
             {"shape types", type_table<ShapeType>()},

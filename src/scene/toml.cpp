@@ -68,10 +68,8 @@ void TomlScene::read_settings(const TableReader& root) {
     for (const TableReader& table : root.tables("film")) {
         const auto film = read_only<toml_keys::Film>(table);
         if (!film.size) continue;
-        settings.width = uint32_t(film.size->x);
-        settings.height = uint32_t(film.size->y);
-        if (*film.size != glm::vec2(*settings.width, *settings.height))
-            table.fail("size", "must be two whole numbers");
+        settings.width = film.size->x;
+        settings.height = film.size->y;
     }
     for (const TableReader& table : root.tables("render")) {
         table.allow(keys_of<RenderSettings>());

@@ -4,6 +4,8 @@
 #include "scene/fields.h"
 #include "scene/toml_reader.h"
 
+#include <fmt/format.h>
+
 #include <functional>
 
 namespace onde {
@@ -42,6 +44,20 @@ inline std::optional<glm::vec2> read(const TableReader& table, std::string_view 
     const auto values = table.numbers(key, 2, rules.range);
     if (!values) return std::nullopt;
     return glm::vec2((*values)[0], (*values)[1]);
+}
+
+inline std::optional<glm::uvec2> read(const TableReader& table, std::string_view key,
+                                      const FieldRules& rules, TypeTag<glm::uvec2>) {
+    const auto values = table.integers(key, 2, rules.range);
+    if (!values) return std::nullopt;
+    return glm::uvec2((*values)[0], (*values)[1]);
+}
+
+inline std::optional<std::vector<std::string>> read(const TableReader& table, std::string_view key,
+                                                    const FieldRules&,
+                                                    TypeTag<std::vector<std::string>>) {
+    if (!table.has(key)) return std::nullopt;
+    return table.texts(key);
 }
 
 inline std::optional<glm::vec3> read(const TableReader& table, std::string_view key,

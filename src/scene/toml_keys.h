@@ -19,12 +19,12 @@ namespace onde::toml_keys {
 
 /// [film]
 struct Film {
-    std::optional<glm::vec2> size;
+    std::optional<glm::uvec2> size;
 };
 
 constexpr auto fields_of(TypeTag<Film>) {
     return std::tuple{
-        field("size", &Film::size, "width and height in whole pixels", {.range = FILM_SIZE})};
+        field("size", &Film::size, "width and height in pixels", {.range = FILM_SIZE})};
 }
 
 /// A texture of a material, where more is said of it than its file.

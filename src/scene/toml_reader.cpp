@@ -115,6 +115,15 @@ std::optional<std::vector<float>> TableReader::numbers(std::string_view key, siz
     return values;
 }
 
+std::optional<std::vector<uint32_t>> TableReader::integers(std::string_view key, size_t count,
+                                                           Range range) const {
+    const auto values = numbers(key, count, range);
+    if (!values) return std::nullopt;
+    const std::vector<uint32_t> whole(values->begin(), values->end());
+    if (!std::ranges::equal(whole, *values)) fail(key, "must be whole numbers");
+    return whole;
+}
+
 std::optional<glm::vec3> TableReader::vector(std::string_view key, Range range) const {
     const auto values = numbers(key, 3, range);
     if (!values) return std::nullopt;

@@ -44,6 +44,9 @@ class TableReader {
     /// Exactly `count` numbers.
     std::optional<std::vector<float>> numbers(std::string_view key, size_t count,
                                               Range range) const;
+    /// The same of whole numbers.
+    std::optional<std::vector<uint32_t>> integers(std::string_view key, size_t count,
+                                                  Range range) const;
     /// The value of an enum that the key's text is the word of.
     template <WordedEnum Enum>
     std::optional<Enum> choice(std::string_view key) const {

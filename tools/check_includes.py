@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Holds the #include lines of src/ and kernels/ to the arrows of the house: down only. And the
-vectors of 16 to the floors that own them.
+vectors of 16 to the header that owns them, and every kernel file to a place where it is used.
 
 Prints each line that breaks a rule and ends with a count; exits 1 when there is any.
 """
@@ -50,10 +50,14 @@ DOORS = [
     (re.compile(r"embree"), re.compile(r"^$"), "Embree is an oracle for tests, not for the renderer"),
 ]
 
-# Elsewhere in the kernels, code is written for any width: real, not float16.
-VECTOR_OF_16 = re.compile(r"\bfloat16\b")
-MAY_NAME_FLOAT16 = re.compile(r"kernels/(math|trace)/|kernels/chapter/solvers\.cl")
+# Everywhere else in the kernels, code is written for any width, real, or for sixteen, real16.
+VECTOR_OF_16 = re.compile(r"\b(as_)?(float|u?int)16\b")
+OWNS_THE_WIDTH = "kernels/math/lanes.h"
 
+# Folders whose files are lines of a list of kernels/shared/scene.h: LINE(NAME, name, ...).
+LISTS = {"kernels/shade/lobes": "LOBE", "kernels/shade/lights": "LIGHT"}
+
+KERNEL_NAME = re.compile(r'"([\w./]+\.(?:cl|h))"')
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 SOURCES = {".h", ".cpp", ".cl", ".inl"}
 
@@ -87,14 +91,43 @@ def broken_door(file, name):
 
 
 def check_vectors():
-    """Every float16 above kernels/math and kernels/trace, as a line to print."""
+    """Every float16 outside the header that owns the width, as a line to print."""
     for path in sorted((ROOT / "kernels").rglob("*")):
         file = path.relative_to(ROOT).as_posix()
-        if path.suffix not in SOURCES or MAY_NAME_FLOAT16.match(file):
+        if path.suffix not in SOURCES or file == OWNS_THE_WIDTH:
             continue
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            if VECTOR_OF_16.search(line.split("//")[0]):
-                yield f"{file}:{number}: float16: only math and trace name it; write real"
+            if match := VECTOR_OF_16.search(line.split("//")[0]):
+                yield f"{file}:{number}: {match[0]}: only {OWNS_THE_WIDTH} names it; write real"
+
+
+def names_of_kernels(folders):
+    """Every text in quotes that may name a kernel file: of an #include, or of a program."""
+    for folder in folders:
+        for path in (ROOT / folder).rglob("*"):
+            if path.suffix in SOURCES:
+                yield from KERNEL_NAME.findall(path.read_text(encoding="utf-8"))
+
+
+def check_used():
+    """Every kernel file that nothing includes and no program names, as a line to print."""
+    named = set(names_of_kernels(["kernels", "src", "tests", "bench"]))
+    for path in sorted((ROOT / "kernels").rglob("*")):
+        parts = path.relative_to(ROOT / "kernels").parts
+        if path.suffix not in SOURCES or named & {"/".join(parts[k:]) for k in range(len(parts))}:
+            continue
+        yield f"{path.relative_to(ROOT).as_posix()}: nothing includes it and no program names it"
+
+
+def check_lists():
+    """Every file of a folder of LISTS that its list forgets, as a line to print."""
+    scene = (ROOT / "kernels/shared/scene.h").read_text(encoding="utf-8")
+    for folder, line in LISTS.items():
+        listed = set(re.findall(rf"\b{line}\([A-Z_]+, (\w+),", scene))
+        shared = {Path(name).stem for name in names_of_kernels([folder])}
+        for path in sorted((ROOT / folder).glob("*.h")):
+            if path.stem not in listed | shared:
+                yield f"{folder}/{path.name}: no line {line}(...) of kernels/shared/scene.h has it"
 
 
 def check_tree(tree, arrows):
@@ -113,7 +146,8 @@ def check_tree(tree, arrows):
 
 
 def main():
-    broken = [*check_tree("src", SRC_ARROWS), *check_tree("kernels", KERNEL_ARROWS), *check_vectors()]
+    broken = [*check_tree("src", SRC_ARROWS), *check_tree("kernels", KERNEL_ARROWS), *check_vectors(),
+              *check_used(), *check_lists()]
     for line in broken:
         print(line)
     print(f"include arrows: {len(broken)} broken")

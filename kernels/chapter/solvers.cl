@@ -39,7 +39,7 @@ INLINE Vectors16 column_vectors16(__global const float* columns, size_t count, u
     return v;
 }
 INLINE Vectors16 uniform_vectors16(__global const float* v) {
-    const Vectors16 all = {(float16)(v[0]), (float16)(v[1]), (float16)(v[2])};
+    const Vectors16 all = {(real16)(v[0]), (real16)(v[1]), (real16)(v[2])};
     return all;
 }
 
@@ -50,14 +50,14 @@ __kernel void production(uint count, __global const float* rays, __global const 
     if (i >= count) return;
     const Vectors16 origin = column_vectors16(rays, count, i);
     const Vectors16 direction = column_vectors16(rays + 3 * (size_t)count, count, i);
-    float16 nearest_t = INFINITY;
+    real16 nearest_t = INFINITY;
     for (uint k = 0; k < triangle_count; k++) {
         __global const float* triangle = triangles + 9 * k;
         const TriangleTest16 test =
             test_triangles16(origin, direction, uniform_vectors16(triangle),
                              uniform_vectors16(triangle + 3), uniform_vectors16(triangle + 6));
         if (sign_bits16(test.outside) == 0xffffu) continue;
-        const float16 t = test.t / test.determinant;
+        const real16 t = test.t / test.determinant;
         nearest_t = ((test.outside >= 0) & (t > 0.0f) & (t < nearest_t)) ? t : nearest_t;
     }
     vstore16(nearest_t, 0, nearest + i);

@@ -1,8 +1,9 @@
 // The width of the code: how many paths one work item shades at once. Nothing else in the tree
 // tests ONDE_WIDTH or names float16. At width 1 everything here folds to scalar OpenCL C: read the
-// rest of lib/ as if that were all there is.
+// rest of the kernels as if that were all there is.
 //
 //   real, integer, natural, mask    one float, int, uint, truth value per lane
+//   real16, mask16, natural16       sixteen at every width: rays of a stream, children of a node
 //   if_any (m) { ... }              runs the block if m holds in some lane
 //   choose(m, a, b)                 a where m holds, b elsewhere
 //   gather_real(p, i)               p[i] per lane; every lane's index must be valid
@@ -62,6 +63,13 @@ typedef ONDE_LANES(float) real;
 typedef ONDE_LANES(int) integer;
 typedef ONDE_LANES(uint) natural;
 typedef ONDE_LANES(int) mask;
+
+typedef float16 real16;
+typedef int16 mask16;
+typedef uint16 natural16;
+#define as_real16 as_float16
+#define as_mask16 as_int16
+#define as_natural16 as_uint16
 
 #define as_real ONDE_LANES(as_float)
 #define as_integer ONDE_LANES(as_int)

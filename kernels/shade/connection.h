@@ -2,7 +2,7 @@
 #ifndef ONDE_SHADE_CONNECTION_H
 #define ONDE_SHADE_CONNECTION_H
 
-#include "math/vector.h"
+#include "trace/columns.h"
 
 typedef struct {
     real3 origin, direction;
@@ -19,14 +19,6 @@ INLINE Connection no_connection(void) {
     return c;
 }
 
-OVERLOAD Connection choose(mask m, Connection a, Connection b) {
-    Connection c;
-    c.origin = choose(m, a.origin, b.origin);
-    c.direction = choose(m, a.direction, b.direction);
-    c.distance = choose(m, a.distance, b.distance);
-    c.value = choose(m, a.value, b.value);
-    c.target = choose(m, a.target, b.target);
-    return c;
-}
+COLUMNS_CHOICE(Connection, SPLAT_COLUMNS)
 
 #endif

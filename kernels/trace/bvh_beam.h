@@ -23,9 +23,9 @@ typedef struct {
 typedef struct {
     float low, high;
 } Bounds;
-INLINE Bounds bounds_of(float16 a, int16 rays) {
-    const Bounds bounds = {lowest_of16(rays ? a : (float16)(INFINITY)),
-                           highest_of16(rays ? a : (float16)(-INFINITY))};
+INLINE Bounds bounds_of(real16 a, mask16 rays) {
+    const Bounds bounds = {lowest_of16(rays ? a : (real16)(INFINITY)),
+                           highest_of16(rays ? a : (real16)(-INFINITY))};
     return bounds;
 }
 
@@ -34,7 +34,7 @@ typedef struct {
     float entry, entry_start, exit, exit_start;
 } BeamAxis;
 
-INLINE BeamAxis make_beam_axis(const StreamRays* rays, uint axis, int16 lanes, float reach) {
+INLINE BeamAxis make_beam_axis(const StreamRays* rays, uint axis, mask16 lanes, float reach) {
     const Bounds origin = bounds_of(vload16(0, rays->origin[axis]), lanes);
     const Bounds inverse = bounds_of(vload16(0, rays->inverse[axis]), lanes);
     const float low = origin.low - reach, high = origin.high + reach;
@@ -59,11 +59,11 @@ INLINE void make_beam(Beam* beam, const StreamRays* rays, const float* t_min, ui
     beam->valid = bits && forward && goes_one_way(rays, 0, bits) && goes_one_way(rays, 1, bits) &&
                   goes_one_way(rays, 2, bits);
     if (!beam->valid) return;
-    const int16 lanes = lanes16(bits);
-    const float16 largest = watertight_reach16(
+    const mask16 lanes = lanes16(bits);
+    const real16 largest = watertight_reach16(
         vload16(0, rays->origin[0]), vload16(0, rays->origin[1]), vload16(0, rays->origin[2]));
     const float reach =
-        highest_of16(lanes ? largest : (float16)(0.0f)) * (BEAM_SLACK / WATERTIGHT_SLACK);
+        highest_of16(lanes ? largest : (real16)(0.0f)) * (BEAM_SLACK / WATERTIGHT_SLACK);
     const BeamAxis x = make_beam_axis(rays, 0, lanes, reach);
     const BeamAxis y = make_beam_axis(rays, 1, lanes, reach);
     const BeamAxis z = make_beam_axis(rays, 2, lanes, reach);
@@ -77,14 +77,14 @@ INLINE void make_beam(Beam* beam, const StreamRays* rays, const float* t_min, ui
 
 // The children whose boxes some ray of the beam may meet, and where it enters them at the earliest.
 INLINE NodeHits beam_meets_node(__global const uchar* node, const Beam* b) {
-    const float16 near_x = slab_distance(node, b->plane.x, b->entry.x, b->entry_start.x);
-    const float16 near_y = slab_distance(node, b->plane.y, b->entry.y, b->entry_start.y);
-    const float16 near_z = slab_distance(node, b->plane.z, b->entry.z, b->entry_start.z);
-    const float16 far_x = slab_distance(node, b->plane.x ^ 64, b->exit.x, b->exit_start.x);
-    const float16 far_y = slab_distance(node, b->plane.y ^ 64, b->exit.y, b->exit_start.y);
-    const float16 far_z = slab_distance(node, b->plane.z ^ 64, b->exit.z, b->exit_start.z);
-    const float16 near = max_fast(max_fast(near_x, near_y), max_fast(near_z, (float16)(0.0f)));
-    const float16 far = min_fast(min_fast(far_x, far_y), far_z);
+    const real16 near_x = slab_distance(node, b->plane.x, b->entry.x, b->entry_start.x);
+    const real16 near_y = slab_distance(node, b->plane.y, b->entry.y, b->entry_start.y);
+    const real16 near_z = slab_distance(node, b->plane.z, b->entry.z, b->entry_start.z);
+    const real16 far_x = slab_distance(node, b->plane.x ^ 64, b->exit.x, b->exit_start.x);
+    const real16 far_y = slab_distance(node, b->plane.y ^ 64, b->exit.y, b->exit_start.y);
+    const real16 far_z = slab_distance(node, b->plane.z ^ 64, b->exit.z, b->exit_start.z);
+    const real16 near = max_fast(max_fast(near_x, near_y), max_fast(near_z, (real16)(0.0f)));
+    const real16 far = min_fast(min_fast(far_x, far_y), far_z);
     const NodeHits hits = {near, lower_bits16(near, far)};
     return hits;
 }

@@ -17,14 +17,14 @@
 #define max_fast(a, b) ((a) > (b) ? (a) : (b))
 
 // The lanes whose bit is set.
-INLINE int16 lanes16(uint bits) {
-    const int16 places = (int16)(0x1, 0x2, 0x4, 0x8, 0x10, 0x20, 0x40, 0x80, 0x100, 0x200, 0x400,
-                                 0x800, 0x1000, 0x2000, 0x4000, 0x8000);
-    return ((int16)((int)bits) & places) != 0;
+INLINE mask16 lanes16(uint bits) {
+    const mask16 places = (mask16)(0x1, 0x2, 0x4, 0x8, 0x10, 0x20, 0x40, 0x80, 0x100, 0x200, 0x400,
+                                   0x800, 0x1000, 0x2000, 0x4000, 0x8000);
+    return ((mask16)((int)bits) & places) != 0;
 }
 
 // One bit per lane where a <= b.
-INLINE uint lower_bits16(float16 a, float16 b) {
+INLINE uint lower_bits16(real16 a, real16 b) {
 #if ONDE_AVX512
     return (uint)(ushort)__builtin_ia32_cmpps512_mask(a, b, 18, (ushort)-1, 4);
 #else
@@ -37,10 +37,10 @@ INLINE float lowest_of8(float8 a) {
     const float2 two = min_fast(four.lo, four.hi);
     return min_fast(two.x, two.y);
 }
-INLINE float lowest_of16(float16 a) {
+INLINE float lowest_of16(real16 a) {
     return lowest_of8(min_fast(a.lo, a.hi));
 }
-INLINE float highest_of16(float16 a) {
+INLINE float highest_of16(real16 a) {
     return -lowest_of16(-a);
 }
 

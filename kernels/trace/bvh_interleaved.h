@@ -48,7 +48,7 @@ INLINE void meet_nodes(NodesMet* met, BvhView bvh, const Interleaved* turns, con
         const uint r = lowest_bit(bits);
         const NodeHits hits =
             meet_node(bvh_node(bvh, turns->word[r]), stream_slab(rays, r), entry[r], t_max[r]);
-        *(float16*)met->near[r] = hits.near;
+        *(real16*)met->near[r] = hits.near;
         met->bits[r] = hits.bits;
     }
 }
@@ -117,8 +117,8 @@ OUTLINED void bvh_closest_interleaved(BVH_SCALARS, StreamRays* world, const floa
     const StreamRays* rays = &turns.placed;
     const float* entry = turns.entry;
     turns.placed = *world;
-    *(float16*)turns.entry = vload16(0, t_min);
-    *(uint16*)turns.instance = (uint16)(BVH_NONE);
+    *(real16*)turns.entry = vload16(0, t_min);
+    *(natural16*)turns.instance = (natural16)(BVH_NONE);
 #else
     const StreamRays* rays = world;
     const float* entry = t_min;

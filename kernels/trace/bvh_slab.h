@@ -49,36 +49,36 @@ INLINE SlabRay make_slab_ray(float3 origin, float3 direction) {
     return ray;
 }
 
-INLINE float16 node_row(__global const uchar* node, uint offset) {
-    return *(__global const float16*)(node + offset);
+INLINE real16 node_row(__global const uchar* node, uint offset) {
+    return *(__global const real16*)(node + offset);
 }
 
-INLINE float16 slab_distance(__global const uchar* node, uint plane, float inverse, float start) {
-    return fma(node_row(node, plane), (float16)(inverse), (float16)(start));
+INLINE real16 slab_distance(__global const uchar* node, uint plane, float inverse, float start) {
+    return fma(node_row(node, plane), (real16)(inverse), (real16)(start));
 }
 
 // Where a ray enters the 16 boxes of a node, and where it leaves them; it misses those that it
 // would leave first.
 typedef struct {
-    float16 near, far;
+    real16 near, far;
 } BoxSpans;
 
 INLINE BoxSpans span_boxes(__global const uchar* node, SlabRay ray, float t_min, float t_max) {
-    const float16 near_x = slab_distance(node, ray.plane.x, ray.inverse.x, ray.near.x);
-    const float16 near_y = slab_distance(node, ray.plane.y, ray.inverse.y, ray.near.y);
-    const float16 near_z = slab_distance(node, ray.plane.z, ray.inverse.z, ray.near.z);
-    const float16 far_x = slab_distance(node, ray.plane.x ^ 64, ray.inverse.x, ray.far.x);
-    const float16 far_y = slab_distance(node, ray.plane.y ^ 64, ray.inverse.y, ray.far.y);
-    const float16 far_z = slab_distance(node, ray.plane.z ^ 64, ray.inverse.z, ray.far.z);
-    const float16 near_xy = max_fast(near_x, near_y), near_zt = max_fast(near_z, (float16)(t_min));
-    const float16 far_xy = min_fast(far_x, far_y), far_zt = min_fast(far_z, (float16)(t_max));
+    const real16 near_x = slab_distance(node, ray.plane.x, ray.inverse.x, ray.near.x);
+    const real16 near_y = slab_distance(node, ray.plane.y, ray.inverse.y, ray.near.y);
+    const real16 near_z = slab_distance(node, ray.plane.z, ray.inverse.z, ray.near.z);
+    const real16 far_x = slab_distance(node, ray.plane.x ^ 64, ray.inverse.x, ray.far.x);
+    const real16 far_y = slab_distance(node, ray.plane.y ^ 64, ray.inverse.y, ray.far.y);
+    const real16 far_z = slab_distance(node, ray.plane.z ^ 64, ray.inverse.z, ray.far.z);
+    const real16 near_xy = max_fast(near_x, near_y), near_zt = max_fast(near_z, (real16)(t_min));
+    const real16 far_xy = min_fast(far_x, far_y), far_zt = min_fast(far_z, (real16)(t_max));
     const BoxSpans spans = {max_fast(near_xy, near_zt), min_fast(far_xy, far_zt)};
     return spans;
 }
 
 // The children whose boxes the ray meets within [t_min, t_max], a bit each, and where it does.
 typedef struct {
-    float16 near;
+    real16 near;
     uint bits;
 } NodeHits;
 
@@ -90,26 +90,26 @@ INLINE NodeHits meet_node(__global const uchar* node, SlabRay ray, float t_min, 
 
 // One axis of what the slab test needs of 16 rays, as in SlabRay.
 typedef struct {
-    float16 inverse, near, far;
+    real16 inverse, near, far;
 } SlabAxis16;
 
-INLINE float16 safe_inverse16(float16 direction) {
-    return 1.0f / (fabs(direction) < 1e-18f ? copysign((float16)(1e-18f), direction) : direction);
+INLINE real16 safe_inverse16(real16 direction) {
+    return 1.0f / (fabs(direction) < 1e-18f ? copysign((real16)(1e-18f), direction) : direction);
 }
 
 // By how much of |inverse| the rays are widened in a watertight tree: all axes need the same.
-INLINE float16 watertight_reach16(float16 x, float16 y, float16 z) {
+INLINE real16 watertight_reach16(real16 x, real16 y, real16 z) {
     return WATERTIGHT_SLACK * max_fast(fabs(x), max_fast(fabs(y), fabs(z)));
 }
 
-INLINE SlabAxis16 make_slab_axis16(float16 origin, float16 direction, float16 reach) {
+INLINE SlabAxis16 make_slab_axis16(real16 origin, real16 direction, real16 reach) {
     SlabAxis16 axis;
     axis.inverse = safe_inverse16(direction);
-    const float16 start = -origin * axis.inverse;
+    const real16 start = -origin * axis.inverse;
 #if ONDE_WATERTIGHT
-    const float16 slack = fabs(axis.inverse) * reach;
+    const real16 slack = fabs(axis.inverse) * reach;
 #else
-    const float16 slack = fabs(start) * SLAB_SLACK;
+    const real16 slack = fabs(start) * SLAB_SLACK;
 #endif
     axis.near = start - slack;
     axis.far = start + slack;

@@ -23,8 +23,8 @@ typedef struct {
 // Rays that nobody asks about, so that arithmetic on places that stay empty is on numbers.
 INLINE void clear_first_half(StreamRays* rays) {
     for (uint axis = 0; axis < 3; axis++) {
-        vstore16((float16)(0.0f), 0, rays->origin[axis]);
-        vstore16((float16)(0.0f), 0, rays->direction[axis]);
+        vstore16((real16)(0.0f), 0, rays->origin[axis]);
+        vstore16((real16)(0.0f), 0, rays->direction[axis]);
     }
 }
 
@@ -33,20 +33,20 @@ INLINE uint stream_halves(uint bits) {
     return bits >> STREAM_WIDTH ? 2 : 1;
 }
 
-INLINE void prepare_axis(StreamRays* rays, uint axis, uint part, float16 reach) {
+INLINE void prepare_axis(StreamRays* rays, uint axis, uint part, real16 reach) {
     const SlabAxis16 slab = make_slab_axis16(vload16(part, rays->origin[axis]),
                                              vload16(part, rays->direction[axis]), reach);
     vstore16(slab.inverse, part, rays->inverse[axis]);
     vstore16(slab.near, part, rays->near[axis]);
     vstore16(slab.far, part, rays->far[axis]);
-    const int16 low = (int16)((int)(128 * axis)), high = (int16)((int)(128 * axis + 64));
-    vstore16(as_uint16(slab.inverse < 0.0f ? high : low), part, rays->plane[axis]);
+    const mask16 low = (mask16)((int)(128 * axis)), high = (mask16)((int)(128 * axis + 64));
+    vstore16(as_natural16(slab.inverse < 0.0f ? high : low), part, rays->plane[axis]);
 }
 
 // Fills in all that follows from origin and direction.
 INLINE void prepare_stream(StreamRays* rays, uint halves) {
     for (uint i = 0; i < halves; i++) {
-        const float16 reach = watertight_reach16(
+        const real16 reach = watertight_reach16(
             vload16(i, rays->origin[0]), vload16(i, rays->origin[1]), vload16(i, rays->origin[2]));
         prepare_axis(rays, 0, i, reach);
         prepare_axis(rays, 1, i, reach);
@@ -74,7 +74,7 @@ INLINE void set_axis(StreamRays* rays, uint axis, uint r, float origin, float di
 INLINE uint finite_stream(const StreamRays* rays, uint halves) {
     uint finite = 0;
     for (uint i = 0; i < halves; i++) {
-        float16 sum = 0.0f;
+        real16 sum = 0.0f;
         for (uint axis = 0; axis < 3; axis++)
             sum += (vload16(i, rays->origin[axis]) + vload16(i, rays->direction[axis])) * 0.0f;
         finite |= bits16(sum == 0.0f) << STREAM_WIDTH * i;
@@ -115,12 +115,12 @@ INLINE void place_stream(StreamRays* inside, const StreamRays* world,
                          __global const BvhInstance* placed, uint halves) {
     for (uint i = 0; i < halves; i++) {
         __global const float* m = placed->world_to_object;
-        const float16 px = vload16(i, world->origin[0]), py = vload16(i, world->origin[1]),
-                      pz = vload16(i, world->origin[2]);
-        const float16 vx = vload16(i, world->direction[0]), vy = vload16(i, world->direction[1]),
-                      vz = vload16(i, world->direction[2]);
+        const real16 px = vload16(i, world->origin[0]), py = vload16(i, world->origin[1]),
+                     pz = vload16(i, world->origin[2]);
+        const real16 vx = vload16(i, world->direction[0]), vy = vload16(i, world->direction[1]),
+                     vz = vload16(i, world->direction[2]);
         for (uint row = 0; row < 3; row++, m += 4) {
-            const float16 a = m[0], b = m[1], c = m[2], d = m[3];
+            const real16 a = m[0], b = m[1], c = m[2], d = m[3];
             vstore16(fma(a, px, fma(b, py, fma(c, pz, d))), i, inside->origin[row]);
             vstore16(fma(a, vx, fma(b, vy, c * vz)), i, inside->direction[row]);
         }
@@ -130,8 +130,8 @@ INLINE void place_stream(StreamRays* inside, const StreamRays* world,
 #endif
 
 // The mask of ray r in lanes that hold a mask of rays each.
-INLINE int16 ray_bit16(uint r) {
-    return (int16)((int)(1u << r));
+INLINE mask16 ray_bit16(uint r) {
+    return (mask16)((int)(1u << r));
 }
 
 #endif

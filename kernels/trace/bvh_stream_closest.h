@@ -11,12 +11,12 @@ typedef struct {
     uint primitive[STREAM_WIDTH], instance[STREAM_WIDTH];
 } StreamHits;
 
-INLINE void clear_stream_hits(StreamHits* hits, float16 t_max) {
+INLINE void clear_stream_hits(StreamHits* hits, real16 t_max) {
     vstore16(t_max, 0, hits->t);
-    vstore16((float16)(0.0f), 0, hits->u);
-    vstore16((float16)(0.0f), 0, hits->v);
-    vstore16((uint16)(BVH_NONE), 0, hits->primitive);
-    vstore16((uint16)(BVH_NONE), 0, hits->instance);
+    vstore16((real16)(0.0f), 0, hits->u);
+    vstore16((real16)(0.0f), 0, hits->v);
+    vstore16((natural16)(BVH_NONE), 0, hits->primitive);
+    vstore16((natural16)(BVH_NONE), 0, hits->instance);
 }
 INLINE Hit stream_hit(const StreamHits* hits, uint r) {
     const Hit hit = {hits->t[r], hits->u[r], hits->v[r], hits->primitive[r], hits->instance[r]};
@@ -41,27 +41,27 @@ INLINE uint entry_rays(ulong entry) {
 
 // Where the rays cross the planes of an axis of one box that they come to first, and last, by the
 // sign of the inverse.
-INLINE float16 near_planes(__global const float* box, uint axis, const StreamRays* rays) {
-    const float16 low = box[32 * axis], high = box[32 * axis + 16];
-    return select(low, high, as_int16(vload16(0, rays->inverse[axis])));
+INLINE real16 near_planes(__global const float* box, uint axis, const StreamRays* rays) {
+    const real16 low = box[32 * axis], high = box[32 * axis + 16];
+    return select(low, high, as_mask16(vload16(0, rays->inverse[axis])));
 }
-INLINE float16 far_planes(__global const float* box, uint axis, const StreamRays* rays) {
-    const float16 low = box[32 * axis], high = box[32 * axis + 16];
-    return select(high, low, as_int16(vload16(0, rays->inverse[axis])));
+INLINE real16 far_planes(__global const float* box, uint axis, const StreamRays* rays) {
+    const real16 low = box[32 * axis], high = box[32 * axis + 16];
+    return select(high, low, as_mask16(vload16(0, rays->inverse[axis])));
 }
 
 INLINE BoxSpans span_planes(Vectors16 near, Vectors16 far, const StreamRays* rays,
                             const float* entry, const float* t_max) {
-    const float16 x = vload16(0, rays->inverse[0]), y = vload16(0, rays->inverse[1]),
-                  z = vload16(0, rays->inverse[2]);
-    const float16 near_x = fma(near.x, x, vload16(0, rays->near[0]));
-    const float16 near_y = fma(near.y, y, vload16(0, rays->near[1]));
-    const float16 near_z = fma(near.z, z, vload16(0, rays->near[2]));
-    const float16 far_x = fma(far.x, x, vload16(0, rays->far[0]));
-    const float16 far_y = fma(far.y, y, vload16(0, rays->far[1]));
-    const float16 far_z = fma(far.z, z, vload16(0, rays->far[2]));
-    const float16 near_xy = max_fast(near_x, near_y), near_zt = max_fast(near_z, vload16(0, entry));
-    const float16 far_xy = min_fast(far_x, far_y), far_zt = min_fast(far_z, vload16(0, t_max));
+    const real16 x = vload16(0, rays->inverse[0]), y = vload16(0, rays->inverse[1]),
+                 z = vload16(0, rays->inverse[2]);
+    const real16 near_x = fma(near.x, x, vload16(0, rays->near[0]));
+    const real16 near_y = fma(near.y, y, vload16(0, rays->near[1]));
+    const real16 near_z = fma(near.z, z, vload16(0, rays->near[2]));
+    const real16 far_x = fma(far.x, x, vload16(0, rays->far[0]));
+    const real16 far_y = fma(far.y, y, vload16(0, rays->far[1]));
+    const real16 far_z = fma(far.z, z, vload16(0, rays->far[2]));
+    const real16 near_xy = max_fast(near_x, near_y), near_zt = max_fast(near_z, vload16(0, entry));
+    const real16 far_xy = min_fast(far_x, far_y), far_zt = min_fast(far_z, vload16(0, t_max));
     const BoxSpans spans = {max_fast(near_xy, near_zt), min_fast(far_xy, far_zt)};
     return spans;
 }
@@ -91,24 +91,24 @@ typedef struct {
 // Ray by ray against all children. Returns those that are met.
 INLINE uint meet_ray_by_ray(__global const uchar* node, const StreamRays* rays, const float* entry,
                             const float* t_max, uint bits, ChildrenMet* children) {
-    int16 met = 0;
-    float16 nearest = INFINITY;
+    mask16 met = 0;
+    real16 nearest = INFINITY;
     for (; bits; bits &= bits - 1) {
         const uint r = lowest_bit(bits);
         const BoxSpans spans = span_boxes(node, stream_slab(rays, r), entry[r], t_max[r]);
-        const int16 meets = spans.near <= spans.far;
+        const mask16 meets = spans.near <= spans.far;
         met |= meets & ray_bit16(r);
         nearest = meets ? spans.near : nearest;
     }
-    *(uint16*)children->rays = as_uint16(met);
-    *(float16*)children->near = nearest;
+    *(natural16*)children->rays = as_natural16(met);
+    *(real16*)children->near = nearest;
     return bits16(met != 0);
 }
 
 // Those in the way of the rays' beam, whichever rays meet them.
 INLINE uint meet_as_beam(NodeHits way, uint bits, ChildrenMet* children) {
-    *(uint16*)children->rays = (uint16)(bits);
-    *(float16*)children->near = way.near;
+    *(natural16*)children->rays = (natural16)(bits);
+    *(real16*)children->near = way.near;
     return way.bits;
 }
 
@@ -161,7 +161,7 @@ INLINE Vectors16 stream_vectors(const float rows[3][OCCLUDED_WIDTH]) {
     return vectors;
 }
 INLINE Vectors16 splat16(__global const float* rows, uint i) {
-    const Vectors16 vectors = {(float16)(rows[i]), (float16)(rows[8 + i]), (float16)(rows[16 + i])};
+    const Vectors16 vectors = {(real16)(rows[i]), (real16)(rows[8 + i]), (real16)(rows[16 + i])};
     return vectors;
 }
 
@@ -177,22 +177,22 @@ INLINE void meet_triangles(__global const uchar* block, const StreamRays* rays, 
         const TriangleTest16 test = leaf_test16(origin, direction, splat16(rows, i),
                                                 splat16(rows + 24, i), splat16(rows + 48, i));
         if (!(bits & ~sign_bits16(test.outside))) continue;
-        const float16 t_max = vload16(0, hits->t);
-        const int16 miss = miss16(test, vload16(0, t_min), t_max);
+        const real16 t_max = vload16(0, hits->t);
+        const mask16 miss = miss16(test, vload16(0, t_min), t_max);
         if (!(bits & ~sign_bits16(miss))) continue;
-        const float16 inverse = 1.0f / test.determinant;
-        const float16 t = test.t * inverse, from_box = max_fast(t, vload16(0, near));
-        const uint16 primitives = vload16(0, hits->primitive);
-        const uint16 instances = vload16(0, hits->instance);
-        const int16 first = ((uint16)(primitive) < primitives) |
-                            (((uint16)(primitive) == primitives) & (instance < instances));
-        const int16 closer = lanes16(bits) & (miss >= 0) & (t > vload16(0, t_min)) &
-                             ((from_box < t_max) | ((from_box == t_max) & first));
+        const real16 inverse = 1.0f / test.determinant;
+        const real16 t = test.t * inverse, from_box = max_fast(t, vload16(0, near));
+        const natural16 primitives = vload16(0, hits->primitive);
+        const natural16 instances = vload16(0, hits->instance);
+        const mask16 first = ((natural16)(primitive) < primitives) |
+                             (((natural16)(primitive) == primitives) & (instance < instances));
+        const mask16 closer = lanes16(bits) & (miss >= 0) & (t > vload16(0, t_min)) &
+                              ((from_box < t_max) | ((from_box == t_max) & first));
         vstore16(closer ? from_box : t_max, 0, hits->t);
         vstore16(closer ? test.u * inverse : vload16(0, hits->u), 0, hits->u);
         vstore16(closer ? test.v * inverse : vload16(0, hits->v), 0, hits->v);
-        vstore16(closer ? (uint16)(primitive) : primitives, 0, hits->primitive);
-        vstore16(closer ? (uint16)(instance) : instances, 0, hits->instance);
+        vstore16(closer ? (natural16)(primitive) : primitives, 0, hits->primitive);
+        vstore16(closer ? (natural16)(instance) : instances, 0, hits->instance);
     }
 }
 
@@ -267,7 +267,7 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
 #endif
     ulong stack[ONDE_STACK_SIZE];
     uint size = 0, word = bvh.root;
-    *(float16*)near = vload16(0, t_min);
+    *(real16*)near = vload16(0, t_min);
     // A single loop: one of its own for entries that no ray meets any more would make the compiler
     // copy the rays' rows to its stack whenever it is entered.
     for (;;) {
@@ -285,7 +285,7 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
             place_stream(&inside, world, placed, 1);
             rays = &inside;
             make_beam(&beam, rays, t_min, here);
-            *(float16*)inside_entry = *(float16*)near;
+            *(real16*)inside_entry = *(real16*)near;
             entry = inside_entry;
             stack[size++] = STACK_LEAVE_INSTANCE;
             word = placed->root;
@@ -310,7 +310,7 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
         __global const uchar* parent = bvh_node(bvh, (uint)waiting / BVH_WIDTH);
         const BoxSpans spans =
             span_rays((__global const float*)parent + slot, rays, &beam, entry, hits->t);
-        *(float16*)near = spans.near;
+        *(real16*)near = spans.near;
         here = bits16(spans.near <= spans.far) & entry_rays(waiting);
         word = bvh_children(parent)[slot];
     }

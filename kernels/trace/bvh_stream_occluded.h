@@ -39,14 +39,14 @@ INLINE uint blocked_by_leaf(BvhView bvh, uint word, const StreamRays* rays, cons
 INLINE uint push_met(ulong* stack, uint size, BvhView bvh, uint word, const StreamRays* rays,
                      const float* t_min, const float* t_max, uint bits) {
     __global const uchar* node = bvh_node(bvh, word);
-    int16 met = 0;
+    mask16 met = 0;
     for (; bits; bits &= bits - 1) {
         const uint r = lowest_bit(bits);
         const BoxSpans spans = span_boxes(node, stream_slab(rays, r), t_min[r], t_max[r]);
         met |= (spans.near <= spans.far) & ray_bit16(r);
     }
     uint rays_of[BVH_WIDTH] __attribute__((aligned(64)));
-    *(uint16*)rays_of = as_uint16(met);
+    *(natural16*)rays_of = as_natural16(met);
     __global const uint* children = bvh_children(node);
     for (uint slots = bits16(met != 0); slots;) {
         const uint slot = 31u - clz(slots);

@@ -17,7 +17,7 @@ INLINE __global const uint* bvh_children(__global const uchar* node) {
 
 // Those of a node, and those of a leaf block.
 INLINE uint count_children(__global const uint* children) {
-    return popcount(bits16(*(__global const uint16*)children != (uint16)(BVH_NONE)));
+    return popcount(bits16(*(__global const natural16*)children != (natural16)(BVH_NONE)));
 }
 INLINE uint count_triangles(__global const uchar* block) {
     return popcount(bits8(((__global const uint8*)block)[9] != (uint8)(BVH_NONE)));
@@ -108,7 +108,7 @@ INLINE Hit closest_below(BvhView bvh, uint word, float distance, PlacedRay start
             COUNT_TESTS(boxes, count_children(children));
             const NodeHits hits = meet_node(node, ray.slab, ray.entry, hit.t);
             if (hits.bits) {
-                *(float16*)near = hits.near;
+                *(real16*)near = hits.near;
                 const uint first = lowest_bit(hits.bits);
                 word = children[first];
                 distance = near[first];

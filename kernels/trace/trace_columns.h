@@ -25,14 +25,14 @@ INLINE void load_rays(StreamRays* rays, Columns from, uint i, uint count) {
         return;
     }
     for (uint axis = 0; axis < 3; axis++) {
-        const float16 origin = vload16(0, column(from, axis, i));
-        const float16 direction = vload16(0, column(from, RAY_DIRECTION + axis, i));
+        const real16 origin = vload16(0, column(from, axis, i));
+        const real16 direction = vload16(0, column(from, RAY_DIRECTION + axis, i));
         vstore16(origin, 0, rays->origin[axis]);
         vstore16(direction, 0, rays->direction[axis]);
     }
 }
 
-INLINE void store_column(Columns to, uint k, uint i, float16 words, uint count) {
+INLINE void store_column(Columns to, uint k, uint i, real16 words, uint count) {
     if (count == STREAM_WIDTH) {
         vstore16(words, 0, column(to, k, i));
         return;
@@ -54,8 +54,8 @@ INLINE void trace_columns(BvhView bvh, Columns rays, Columns hits, uint bounce, 
         store_column(hits, 0, i, vload16(0, found.t), count);
         store_column(hits, 1, i, vload16(0, found.u), count);
         store_column(hits, 2, i, vload16(0, found.v), count);
-        store_column(hits, 3, i, as_float16(vload16(0, found.primitive)), count);
-        store_column(hits, 4, i, as_float16(vload16(0, found.instance)), count);
+        store_column(hits, 3, i, as_real16(vload16(0, found.primitive)), count);
+        store_column(hits, 4, i, as_real16(vload16(0, found.instance)), count);
     }
 }
 

@@ -35,7 +35,7 @@ void check_same(const Result& a, const Image& picture_a, const Result& b, const 
 }
 
 /// Throws unless the means agree within 2 % and, for small frames, the noise (4 deviations).
-void check_near(const std::string& variant, const Image& picture, const NativeTracer& native) {
+void check_near(const std::string& variant, const Image& picture, NativeTracer& native) {
     const Metrics metrics = compare(picture, native.picture());
     const double noise = 4 * std::sqrt(2.0) * native.standard_error();
     if (std::abs(metrics.mean_a - metrics.mean_b) <= 0.02 * metrics.mean_b + noise) return;
@@ -55,12 +55,9 @@ void check_same_work(const Result& result, const Frame& frame) {
 class Race {
   public:
     Race(const gpu::Device& device, const Scene& scene, const Options& options, uint32_t threads)
-        : device_scene_(device, pack_scene(scene, {.layout = known_layout(device.facts())})),
-          native_(scene, options.frame, threads) {
-        const Camera& camera = scene.cameras.at(0);
+        : native_(scene, options.frame, threads) {
         for (const Variant& variant : choose_variants(device.facts(), options.variants)) {
-            engines_.push_back(std::make_unique<OndeEngine>(device, device_scene_, camera,
-                                                            options.frame, variant));
+            engines_.push_back(std::make_unique<OndeEngine>(device, scene, options.frame, variant));
             results_.push_back({variant.name,
                                 gpu::describe(variant.settings),
                                 engines_.back()->compile_seconds(),
@@ -87,9 +84,9 @@ class Race {
             }
     }
 
-    SceneReport report(const std::string& scene) const {
-        const auto& statistics = device_scene_.packed().bvh.statistics;
-        return {scene, statistics.triangles, statistics.spheres, results_};
+    SceneReport report(const std::string& scene) {
+        const BvhStatistics& bvh = engines_[0]->bvh();
+        return {scene, bvh.triangles, bvh.spheres, results_};
     }
 
   private:
@@ -98,7 +95,6 @@ class Race {
         return native_;
     }
 
-    DeviceScene device_scene_;
     std::vector<std::unique_ptr<OndeEngine>> engines_;
     NativeTracer native_;
     std::vector<Result> results_; ///< the native tracer's last

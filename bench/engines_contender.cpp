@@ -1,13 +1,15 @@
 #include "engines_contender.h"
 
+#include "upload/layout_choice.h"
+
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 namespace onde::bench {
 namespace {
 
-RenderOptions onde_options(const FrameOptions& frame, const Variant& variant) {
+SessionOptions onde_options(const gpu::DeviceFacts& facts, const FrameOptions& frame,
+                            const Variant& variant) {
     RenderOptions options;
     options.width = frame.width;
     options.height = frame.height;
@@ -16,7 +18,7 @@ RenderOptions onde_options(const FrameOptions& frame, const Variant& variant) {
     options.filter = Filter::box;
     options.engine = variant.engine;
     options.settings = variant.settings;
-    return options;
+    return {.render = options, .bvh = {.layout = known_layout(facts)}, .choose_layout = false};
 }
 
 ReferenceOptions native_options(const FrameOptions& frame, uint32_t threads) {
@@ -45,21 +47,15 @@ double error_by_spread(const std::vector<glm::vec3>& values) {
 
 } // namespace
 
-OndeEngine::OndeEngine(const gpu::Device& device, const DeviceScene& scene, const Camera& camera,
-                       const FrameOptions& frame, const Variant& variant)
-    : programs_(device, gpu::KernelSources::embedded()), options_(onde_options(frame, variant)),
-      integrator_(make_path_integrator(programs_, scene, camera, options_)) {}
+OndeEngine::OndeEngine(const gpu::Device& device, const Scene& scene, const FrameOptions& frame,
+                       const Variant& variant)
+    : programs_(device, gpu::KernelSources::embedded()),
+      session_(programs_, scene, onde_options(device.facts(), frame, variant)) {}
 
 Frame OndeEngine::render() {
-    const uint64_t rays_before = integrator_->ray_counts().total();
-    const std::atomic<bool> never{false};
-    const RenderOutcome outcome =
-        onde::render(*integrator_, options_, never, [](const Progress&) {});
-    return {outcome.seconds, integrator_->ray_counts().total() - rays_before};
-}
-
-Image OndeEngine::picture() const {
-    return integrator_->film().develop();
+    session_.clear();
+    const RenderOutcome outcome = session_.render();
+    return {outcome.seconds, session_.ray_counts().total()};
 }
 
 NativeTracer::NativeTracer(const Scene& scene, const FrameOptions& frame, uint32_t threads)
@@ -70,7 +66,7 @@ Frame NativeTracer::render() {
     return {last_.seconds, last_.extension_rays + last_.shadow_rays};
 }
 
-Image NativeTracer::picture() const {
+Image NativeTracer::picture() {
     Image image(last_.width, last_.height, 3);
     for (size_t i = 0; i < last_.mean.size(); i++)
         for (int k = 0; k < 3; k++) image.pixels[3 * i + size_t(k)] = last_.mean[i][k];

@@ -3,15 +3,8 @@
 
 #include "engines_variant.h"
 
-#include "gpu/program.h"
-#include "image/image.h"
-#include "render/render_loop.h"
+#include "session/session.h"
 #include "support/reference/reference.h"
-#include "upload/device_scene.h"
-#include "upload/layout_choice.h"
-
-#include <memory>
-#include <string>
 
 namespace onde::bench {
 
@@ -33,25 +26,25 @@ class Contender {
   public:
     virtual ~Contender() = default;
     virtual Frame render() = 0;
-    /// The mean radiance of the frames so far, which are all the same.
-    virtual Image picture() const = 0;
+    /// The mean radiance of the last frame; all are the same.
+    virtual Image picture() = 0;
 };
 
-/// One engine with one set of settings. The device and the scene outlive it.
+/// One engine with one set of settings. The device outlives it.
 class OndeEngine : public Contender {
   public:
     /// Compiles the kernels, without any cache of ours.
-    OndeEngine(const gpu::Device& device, const DeviceScene& scene, const Camera& camera,
-               const FrameOptions& frame, const Variant& variant);
+    OndeEngine(const gpu::Device& device, const Scene& scene, const FrameOptions& frame,
+               const Variant& variant);
 
     Frame render() override;
-    Image picture() const override;
-    double compile_seconds() const { return integrator_->build_report().seconds; }
+    Image picture() override { return session_.picture(); }
+    double compile_seconds() { return session_.prepare().seconds; }
+    const BvhStatistics& bvh() { return session_.packed().bvh.statistics; }
 
   private:
     gpu::Programs programs_;
-    RenderOptions options_;
-    std::unique_ptr<Integrator> integrator_;
+    Session session_;
 };
 
 /// The Embree path tracer of the tests.
@@ -60,7 +53,7 @@ class NativeTracer : public Contender {
     NativeTracer(const Scene& scene, const FrameOptions& frame, uint32_t threads);
 
     Frame render() override;
-    Image picture() const override;
+    Image picture() override;
     /// An upper bound, as if the channels of a pixel always erred together, of the standard error
     /// of the picture's mean over pixels and channels. From a single sample per pixel, it is
     /// estimated from the spread over the picture, and higher.

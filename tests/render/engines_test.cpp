@@ -17,12 +17,10 @@ TEST_CASE("every engine, width and launch renders every scene with the same bits
         const DeviceScene placed = place_on_device(scene);
         RenderOptions options = small_options(40, 28, 3);
         options.depth = scene.settings.depth.value_or(options.depth);
-        const Picture expected =
-            render_packed(placed, scene.cameras[0], apply(options, VARIANTS[0]));
+        const Picture expected = render_by(scene, placed, apply(options, VARIANTS[0]));
         for (const Variant& variant : VARIANTS) {
             INFO(path.filename().string() << ", " << variant.name);
-            const Picture picture =
-                render_packed(placed, scene.cameras[0], apply(options, variant));
+            const Picture picture = render_by(scene, placed, apply(options, variant));
             CHECK(first_difference(expected.image, picture.image) == "");
             CHECK(expected.rays.extension == picture.rays.extension);
             CHECK(expected.rays.shadow == picture.rays.shadow);
@@ -35,15 +33,14 @@ TEST_CASE("the picture does not depend on the wave size, the chunk or the sample
     const Scene scene = five_objects();
     const DeviceScene placed = place_on_device(scene);
     RenderOptions options = small_options(40, 28, 8);
-    const Image expected = render_packed(placed, scene.cameras[0], options).image;
+    const Image expected = render_by(scene, placed, options).image;
     const auto check = [&](uint32_t wave_size, uint32_t chunk, uint32_t samples_in_flight) {
         options.settings.wave_size = wave_size;
         options.settings.chunk = chunk;
         options.samples_in_flight = samples_in_flight;
         INFO("waves of " << wave_size << ", chunks of " << chunk << ", " << samples_in_flight
                          << " samples in flight");
-        CHECK(first_difference(expected, render_packed(placed, scene.cameras[0], options).image) ==
-              "");
+        CHECK(first_difference(expected, render_by(scene, placed, options).image) == "");
     };
     check(65536, 256, 1);
     check(65536, 256, 8);
@@ -58,18 +55,18 @@ TEST_CASE("kernels compiled for what a scene uses render the same bits as kernel
     const Scene scene = five_objects();
     const RenderOptions options = small_options(40, 28, 2);
     const DeviceScene lean(device(), pack_scene(scene));
-    const Image expected = render_packed(place_on_device(scene), scene.cameras[0], options).image;
-    CHECK(first_difference(expected, render_packed(lean, scene.cameras[0], options).image) == "");
+    const Image expected = render_scene(scene, options).image;
+    CHECK(first_difference(expected, render_by(scene, lean, options).image) == "");
 }
 
 TEST_CASE("the seed changes the picture, the same seed does not") {
     const Scene scene = five_objects();
     const DeviceScene placed = place_on_device(scene);
     RenderOptions options = small_options(24, 16, 2);
-    const Image first = render_packed(placed, scene.cameras[0], options).image;
-    CHECK(first_difference(first, render_packed(placed, scene.cameras[0], options).image) == "");
+    const Image first = render_by(scene, placed, options).image;
+    CHECK(first_difference(first, render_by(scene, placed, options).image) == "");
     options.seed = 1;
-    CHECK(first_difference(first, render_packed(placed, scene.cameras[0], options).image) != "");
+    CHECK(first_difference(first, render_by(scene, placed, options).image) != "");
 }
 
 } // namespace onde::test

@@ -19,7 +19,7 @@ Image render_lesson(const Scene& scene) {
     options.depth = set.depth.value_or(options.depth);
     options.integrator = set.integrator.value_or(options.integrator);
     options.filter = set.filter.value_or(RenderOptions().filter);
-    return render_by(scene, place_on_device(scene), options).image;
+    return render_scene(scene, options).image;
 }
 
 Lesson lesson_of(const Expectation& expectation) {

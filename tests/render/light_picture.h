@@ -58,7 +58,7 @@ inline Expectation expect_paths(const Scene& scene, RenderOptions options) {
     std::vector<double> square(pixels);
     const DeviceScene placed = place_on_device(scene);
     for (options.seed = 101; options.seed <= 100 + SEEDS; options.seed++) {
-        const Image image = render_packed(placed, scene.cameras.at(0), options).image;
+        const Image image = render_by(scene, placed, options).image;
         for (size_t i = 0; i < pixels; i++) {
             const double value = luminance_of(&image.pixels[3 * i]);
             e.mean[i] += value / SEEDS;

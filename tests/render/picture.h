@@ -1,9 +1,9 @@
 // A scene rendered on the tests' device, in one call.
 #pragma once
 
-#include "render/render_loop.h"
 #include "scene/load.h"
 #include "session/integrators.h"
+#include "session/session.h"
 #include "support/assets.h"
 #include "support/probe.h"
 
@@ -58,12 +58,6 @@ inline Picture take_picture(Integrator& integrator, const RenderOptions& options
     return picture;
 }
 
-/// By the path tracer, whatever the options say.
-inline Picture render_packed(const DeviceScene& scene, const Camera& camera,
-                             const RenderOptions& options) {
-    return take_picture(*make_path_integrator(programs(), scene, camera, options), options);
-}
-
 /// By the integrator that the options name. `placed` is `scene` on the device.
 inline Picture render_by(const Scene& scene, const DeviceScene& placed,
                          const RenderOptions& options) {
@@ -88,7 +82,10 @@ inline DeviceScene place_on_device(const Scene& scene) {
 
 inline Picture render_scene(const Scene& scene, const RenderOptions& options) {
     check_scene(scene);
-    return render_packed(place_on_device(scene), scene.cameras.at(options.camera), options);
+    Session session(programs(), scene,
+                    {.render = options, .choose_layout = false, .features = all_features()});
+    const RenderOutcome outcome = session.render();
+    return {session.picture(), session.ray_counts(), session.film().find_invalid(), outcome};
 }
 
 /// The scene files of the project, in alphabetical order, without the parts that they include.

@@ -15,7 +15,7 @@ TEST_CASE("a render stops at its samples, whatever their number") {
     const DeviceScene placed = place_on_device(scene);
     for (const uint32_t samples : {1u, 3u, 7u, 16u, 21u}) {
         const RenderOptions options = small_options(16, 12, samples);
-        const Picture picture = render_packed(placed, scene.cameras[0], options);
+        const Picture picture = render_by(scene, placed, options);
         CHECK(picture.outcome.samples == samples);
         CHECK_FALSE(picture.outcome.interrupted);
         CHECK(picture.rays.extension.at(0) == uint64_t(16) * 12 * samples);
@@ -26,7 +26,7 @@ TEST_CASE("a time limit ends the render after a whole pass") {
     const Scene scene = small_scene();
     RenderOptions options = small_options(16, 12, 1u << 20);
     options.seconds = 0.05;
-    const Picture picture = render_packed(place_on_device(scene), scene.cameras[0], options);
+    const Picture picture = render_scene(scene, options);
     CHECK(picture.outcome.samples >= 1);
     CHECK(picture.outcome.samples < options.samples);
     CHECK(picture.outcome.samples == std::floor(picture.outcome.samples));
@@ -38,7 +38,8 @@ TEST_CASE("an interrupted render keeps the samples that it has") {
     const DeviceScene placed = place_on_device(scene);
     RenderOptions options = small_options(16, 12, 1u << 20);
     options.samples_in_flight = 1;
-    const auto integrator = make_path_integrator(programs(), placed, scene.cameras[0], options);
+    const auto integrator =
+        make_integrator({programs(), &scene, placed, scene.cameras[0], options});
     std::atomic<bool> stop{false};
     const RenderOutcome outcome = render(
         *integrator, options, stop, [&](const Progress& p) { stop = p.samples >= 4; }, 1e9);
@@ -53,7 +54,8 @@ TEST_CASE("progress is reported with shares that grow to one") {
     const Scene scene = small_scene();
     const DeviceScene placed = place_on_device(scene);
     const RenderOptions options = small_options(16, 12, 20);
-    const auto integrator = make_path_integrator(programs(), placed, scene.cameras[0], options);
+    const auto integrator =
+        make_integrator({programs(), &scene, placed, scene.cameras[0], options});
     const std::atomic<bool> never{false};
     std::vector<Progress> reports;
     render(

@@ -76,7 +76,7 @@ TEST_CASE("plain trees render the same picture as the production tree") {
         for (IntegratorKind integrator : {IntegratorKind::path, IntegratorKind::whitted}) {
             RenderOptions options = small_options(40, 28, 2);
             options.integrator = integrator;
-            const Image expected = render_by(scene, place_on_device(scene), options).image;
+            const Image expected = render_scene(scene, options).image;
             for (BvhBuilder builder : {BvhBuilder::high, BvhBuilder::median,
                                        BvhBuilder::median_spatial, BvhBuilder::none}) {
                 PackedScene packed = pack_scene(scene, {.builder = builder});
@@ -99,7 +99,7 @@ TEST_CASE("the watertight option renders the same picture but for rounding") {
     packed.features = all_features();
     packed.features.watertight = true;
     const DeviceScene placed(device(), std::move(packed));
-    const Image image = render_packed(placed, scene.cameras[0], options).image;
+    const Image image = render_by(scene, placed, options).image;
     double difference = 0, sum = 0;
     for (size_t i = 0; i < image.pixels.size(); ++i) {
         difference += std::abs(double(image.pixels[i]) - double(expected.pixels[i]));

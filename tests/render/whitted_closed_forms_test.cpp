@@ -60,7 +60,7 @@ RenderOptions options_of(uint32_t width, uint32_t height, uint32_t samples = 1) 
 Image whitted(Scene scene, const RenderOptions& options) {
     complete_scene(scene);
     check_scene(scene);
-    return render_by(scene, place_on_device(scene), options).image;
+    return render_scene(scene, options).image;
 }
 
 /// Where along x the edge between dark and bright lies in a row of the picture, in pixels.

@@ -34,7 +34,7 @@ void compare(const std::string& name, const Scene& scene, glm::uvec2 size, uint3
     RenderOptions options = small_options(size.x, size.y, samples);
     options.integrator = IntegratorKind::whitted;
     options.depth = depth;
-    const Picture picture = render_by(scene, place_on_device(scene), options);
+    const Picture picture = render_scene(scene, options);
     const auto verdict = chapter::check_picture(picture.image, scene, samples, depth, TOLERANCE);
     const std::string sentence =
         fmt::format("{}, {}x{}, {} samples: worst {:.2e} at {}; {:.4f} % on silhouettes, {} wrong",

@@ -75,7 +75,7 @@ TEST_CASE("a deeper tree than there is memory for levels is refused") {
     const Scene scene = mirrors_and_glass();
     RenderOptions options = whitted_options(scene, 1);
     options.depth = MAX_TREE_DEPTH + 1;
-    CHECK_THROWS_WITH(render_by(scene, place_on_device(scene), options),
+    CHECK_THROWS_WITH(render_scene(scene, options),
                       Catch::Contains("depth of --integrator whitted"));
 }
 

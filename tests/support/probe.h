@@ -24,13 +24,14 @@ inline uint32_t from_word(float a) {
 /// What a probe has not written is this.
 inline constexpr float UNWRITTEN = -1234567.0f;
 
-/// Some probes of a file of kernels/probe, compiled at one width.
+/// Some probes of a file of kernels/probe, compiled at one width. Tests keep them in statics, so
+/// they are never released, as the device isn't.
 class Probe {
   public:
     Probe(const std::string& file, uint32_t width, const std::vector<std::string>& names,
           std::vector<std::string> defines = {}, std::vector<std::string> before = {})
-        : program_(programs().build(
-              request(file, width, names, std::move(defines), std::move(before)))) {}
+        : program_(*new gpu::Program(programs().build(
+              request(file, width, names, std::move(defines), std::move(before))))) {}
 
     /// All `words` output columns that probe `name` writes, over the items of `in`, which has at
     /// least one column. `bind` sets the arguments between `count` and the columns and returns the
@@ -75,7 +76,7 @@ class Probe {
         return request;
     }
 
-    gpu::Program program_;
+    gpu::Program& program_;
 };
 
 } // namespace onde::test

@@ -66,24 +66,30 @@ inline Picture render_by(const Scene& scene, const DeviceScene& placed,
                         options);
 }
 
+/// The same, but for what only some scenes ask of surfaces and textures: as `own` has it.
+inline SceneFeatures all_features(const SceneFeatures& own) {
+    SceneFeatures features = all_features();
+    features.alpha = own.alpha;
+    features.culling = own.culling;
+    features.uv_sets = own.uv_sets;
+    features.texture_transforms = own.texture_transforms;
+    features.nearest_filters = own.nearest_filters;
+    features.vertex_colors = own.vertex_colors;
+    return features;
+}
+
 /// A complete scene (see complete_scene) on the device, with kernels that can do everything.
 inline DeviceScene place_on_device(const Scene& scene) {
     PackedScene packed = pack_scene(scene);
-    const SceneFeatures own = packed.features;
-    packed.features = all_features();
-    packed.features.alpha = own.alpha;
-    packed.features.culling = own.culling;
-    packed.features.uv_sets = own.uv_sets;
-    packed.features.texture_transforms = own.texture_transforms;
-    packed.features.nearest_filters = own.nearest_filters;
-    packed.features.vertex_colors = own.vertex_colors;
+    packed.features = all_features(packed.features);
     return DeviceScene(device(), std::move(packed));
 }
 
 inline Picture render_scene(const Scene& scene, const RenderOptions& options) {
     check_scene(scene);
+    const SceneFeatures features = all_features(pack_scene(scene).features);
     Session session(programs(), scene,
-                    {.render = options, .choose_layout = false, .features = all_features()});
+                    {.render = options, .choose_layout = false, .features = features});
     const RenderOutcome outcome = session.render();
     return {session.picture(), session.ray_counts(), session.film().find_invalid(), outcome};
 }

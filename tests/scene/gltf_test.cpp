@@ -190,10 +190,10 @@ TEST_CASE("a file that several images name is decoded once") {
         textures += comma + R"({"source": )" + number + "}";
         materials += comma + R"({"emissiveTexture": {"index": )" + number + "}}";
     }
-    const auto path = folder.write(
-        "q.gltf", quad_gltf(R"([{"mesh": 0}])", "", ", \"images\": [" + images +
-                                "], \"textures\": [" + textures + "], \"materials\": [" +
-                                materials + "]"));
+    const auto path =
+        folder.write("q.gltf", quad_gltf(R"([{"mesh": 0}])", "",
+                                         ", \"images\": [" + images + "], \"textures\": [" +
+                                             textures + "], \"materials\": [" + materials + "]"));
     size_t decoded = 0;
     for (const Texture& texture : load_scene(path).textures) decoded += !texture.image.rgba.empty();
     CHECK(decoded == 1);

@@ -22,7 +22,7 @@ typedef struct {
     __global const RasterRecord *record, __global const RasterInstance *raster_instances,          \
         __global const float *positions, __global const uint *triangles,                           \
         __global const uint *triangle_materials, __global const RasterSphere *raster_spheres,      \
-        __global const RasterMaterial *raster_materials, __global const float *uvs,                \
+        __global const RasterMaterial *raster_materials, __global const float *raster_uvs,         \
         float offset_x, float offset_y
 
 #define RASTER_VIEW(view)                                                                          \
@@ -34,7 +34,7 @@ typedef struct {
     view.triangle_materials = triangle_materials;                                                  \
     view.spheres = raster_spheres;                                                                 \
     view.materials = raster_materials;                                                             \
-    view.uvs = uvs;                                                                                \
+    view.uvs = raster_uvs;                                                                         \
     view.offset_x = offset_x;                                                                      \
     view.offset_y = offset_y
 

@@ -65,7 +65,6 @@ void read_map_into(Material& material, Words& words, Notes& notes) {
 
 constexpr const char* SEPARATE_MAPS = "Separate roughness and metallic maps are ignored";
 constexpr const char* BUMP_MAPS = "Bump maps are ignored";
-constexpr const char* OPACITY_MAPS = "Opacity maps are ignored";
 constexpr const char* DISPLACEMENT = "Displacement maps are ignored";
 constexpr const char* REFLECTION_MAPS = "Reflection maps are ignored";
 constexpr const char* LAYERS = "Sheen, clear coat and anisotropy are ignored";
@@ -98,9 +97,9 @@ constexpr Statement STATEMENTS[] = {
     {"map_pm", nullptr, SEPARATE_MAPS},
     {"map_bump", nullptr, BUMP_MAPS},
     {"bump", nullptr, BUMP_MAPS},
-    {"map_d", nullptr, OPACITY_MAPS},
-    {"map_opacity", nullptr, OPACITY_MAPS},
-    {"map_tr", nullptr, OPACITY_MAPS},
+    {"map_d", read_map_into<&Material::opacity_map>},
+    {"map_opacity", read_map_into<&Material::opacity_map>},
+    {"map_tr", nullptr, "Maps of transparency are ignored"},
     {"disp", nullptr, DISPLACEMENT},
     {"map_disp", nullptr, DISPLACEMENT},
     {"decal", nullptr, "Decals are ignored"},

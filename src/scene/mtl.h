@@ -22,6 +22,7 @@ struct Material {
     float illumination = 0.0f;                                    ///< illum
     float roughness = 0.0f, metallic = 0.0f;                      ///< Pr, Pm
     Map diffuse_map, emission_map, normal_map;                    ///< map_Kd, map_Ke, norm
+    Map opacity_map;                                              ///< map_d
 };
 
 /// Reads the text of an MTL file. Nothing in it is an error: what is not used or makes no sense is

@@ -7,6 +7,8 @@
 #include "scene/obj_repair.h"
 #include "scene/text.h"
 
+#include <algorithm>
+
 namespace onde {
 namespace fs = std::filesystem;
 
@@ -17,6 +19,23 @@ struct Bindings {
     std::vector<uint32_t> materials;   ///< of the scene, by File::material_names
     std::vector<obj::UvMove> uv_moves; ///< by the same
 };
+
+/// Grey, or white where vertices have colours.
+Material default_material(const obj::File& file) {
+    Material material;
+    material.name = "default";
+    if (!file.colors.empty()) material.base_color = glm::vec3(1.0f);
+    return material;
+}
+
+/// Some programs write colours from 0 to 255.
+void scale_colors(obj::File& file) {
+    const auto exceeds_1 = [](const glm::vec3& c) {
+        return c.x > 1.0f || c.y > 1.0f || c.z > 1.0f;
+    };
+    if (!std::ranges::any_of(file.colors, exceeds_1)) return;
+    for (glm::vec3& color : file.colors) color /= 255.0f;
+}
 
 /// Converts the materials that faces use.
 Bindings bind_materials(const obj::File& file, const obj::Libraries& libraries, Scene& scene,
@@ -39,7 +58,7 @@ Bindings bind_materials(const obj::File& file, const obj::Libraries& libraries, 
         if (found)
             scene.materials.push_back(convert_mtl(*source, scene, files, found->folder, notes));
         else
-            scene.materials.emplace_back().name = "default";
+            scene.materials.push_back(default_material(file));
     }
     return bindings;
 }
@@ -58,7 +77,7 @@ Scene load_obj(const fs::path& path, LoadContext& context) {
     const obj::Libraries libraries(file.libraries, files, notes);
     const Bindings bindings = bind_materials(file, libraries, scene, files, notes);
     obj::move_uvs(file, bindings.uv_moves);
-    if (!file.colors.empty()) notes.add("Vertex colours are ignored"); // File::colors has them
+    scale_colors(file);
     const bool empty = file.faces.empty();
     obj::drop_bad_numbers(file, notes);
     if (file.faces.empty() && !empty)

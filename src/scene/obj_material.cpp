@@ -1,6 +1,7 @@
 #include "scene/obj_material.h"
 
 #include "core/error.h"
+#include "scene/obj_opacity.h"
 #include "scene/references.h"
 
 #include <algorithm>
@@ -65,8 +66,6 @@ void set_kind(const mtl::Material& source, Material& m) {
 }
 
 void note_ignored(const mtl::Material& source, Notes& notes) {
-    if (!is_glass(source) && opacity(source) < 1.0f)
-        notes.add("Partial opacity is rendered opaque", source.name);
     if (source.opacity && source.transparency &&
         std::abs(*source.opacity + *source.transparency - 1.0f) > 1e-3f)
         notes.wrong("Of d and Tr, which contradict each other, d counts", source.name);
@@ -96,6 +95,41 @@ int32_t texture(const mtl::Map& map, bool srgb, Scene& scene, FileFinder& files,
     }
 }
 
+/// The picture of a map, without leaving a texture in the scene for it; empty when it can't be had.
+ByteImage picture(const mtl::Map& map, Scene& scene, FileFinder& files, const std::string& folder,
+                  Notes& notes) {
+    const size_t before = scene.textures.size();
+    const int32_t index = texture(map, true, scene, files, folder, notes);
+    if (index == NO_TEXTURE) return {};
+    ByteImage image = image_of(scene.textures, scene.textures[size_t(index)]);
+    if (scene.textures.size() > before) scene.textures.pop_back();
+    return image;
+}
+
+/// Gives the base colour's texture the alpha of map_d, in a texture of its own.
+void apply_opacity_map(const mtl::Material& source, Scene& scene, FileFinder& files,
+                       const std::string& folder, Material& m, Notes& notes) {
+    if (source.opacity_map.file.empty()) return;
+    const ByteImage opacity = picture(source.opacity_map, scene, files, folder, notes);
+    if (opacity.rgba.empty()) return;
+    m.alpha_mode = AlphaMode::blend;
+    const bool map = m.base_color_texture != NO_TEXTURE;
+    const std::string base = map ? scene.textures[size_t(m.base_color_texture)].name : "white";
+    const std::string name =
+        base + " with the opacity of " + folder + "/" + source.opacity_map.file;
+    const auto known = std::ranges::find(scene.textures, name, &Texture::name);
+    if (known != scene.textures.end()) {
+        m.base_color_texture = int32_t(known - scene.textures.begin());
+        return;
+    }
+    ByteImage color;
+    if (map) color = image_of(scene.textures, scene.textures[size_t(m.base_color_texture)]);
+    ByteImage image = with_opacity(color, opacity);
+    files.context().spend(image.rgba.size(), 1, name);
+    const Wrap wrap = source.diffuse_map.clamp ? Wrap::clamp : Wrap::repeat;
+    m.base_color_texture = add_texture(scene.textures, name, std::move(image), {true, wrap, wrap});
+}
+
 } // namespace
 
 Material convert_mtl(const mtl::Material& source, Scene& scene, FileFinder& files,
@@ -112,11 +146,16 @@ Material convert_mtl(const mtl::Material& source, Scene& scene, FileFinder& file
     m.metallic = std::clamp(m.metallic, 0.0f, 1.0f);
     m.emission = glm::max(source.emission, 0.0f);
     m.base_color_texture = texture_of(source.diffuse_map, true);
+    if (!is_glass(source)) apply_opacity_map(source, scene, files, folder, m, notes);
     m.emission_texture = texture_of(source.emission_map, true);
     if (m.emission_texture != NO_TEXTURE && largest(m.emission) <= 0.0f)
         m.emission = glm::vec3(1.0f);
     m.normal_texture = texture_of(source.normal_map, false);
     m.normal_scale = source.normal_map.bump;
+    if (!is_glass(source)) {
+        m.alpha = std::clamp(opacity(source), 0.0f, 1.0f);
+        if (m.alpha < 1.0f) m.alpha_mode = AlphaMode::blend;
+    }
     note_ignored(source, notes);
     return m;
 }

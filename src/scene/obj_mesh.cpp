@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "scene/mesh_parts.h"
 #include "scene/triangulate.h"
+#include "scene/vertex_color.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -56,6 +57,9 @@ class PartBuilder {
         const glm::dvec2 uv =
             corner.uv == NONE ? glm::dvec2(0.0, 1.0) : file_.uvs[size_t(corner.uv)];
         part_.uvs.emplace_back(uv.x, 1.0 - uv.y);
+        if (!file_.colors.empty())
+            part_.colors.push_back(
+                linear_vertex_color(glm::dvec3(file_.colors[size_t(corner.position)])));
         return found->second;
     }
 

@@ -6,14 +6,20 @@
 #include "scene/ply_mesh.h"
 #include "scene/references.h"
 
+#include <algorithm>
+
 namespace onde {
 namespace fs = std::filesystem;
 
-/// Diffuse grey, or the picture that the header names.
+/// Diffuse grey, or white times the colours of vertices and the picture that the header names.
 static Material material_of(const ply::Header& header, const fs::path& path, Scene& scene,
                             Notes& notes, LoadContext& context) {
     Material material;
     material.name = "default";
+    const std::vector<glm::vec4>& colors = scene.meshes[0].colors;
+    if (!colors.empty()) material.base_color = glm::vec3(1.0f);
+    if (std::ranges::any_of(colors, [](const glm::vec4& color) { return color.w < 1.0f; }))
+        material.alpha_mode = AlphaMode::blend;
     if (header.texture.empty()) return material;
     FileFinder files(path.has_parent_path() ? path.parent_path() : fs::path("."), context);
     const auto found = files.find(header.texture);

@@ -4,6 +4,7 @@
 #include "scene/mesh_parts.h"
 #include "scene/ply_body.h"
 #include "scene/triangulate.h"
+#include "scene/vertex_color.h"
 
 #include <algorithm>
 #include <array>
@@ -16,15 +17,15 @@ namespace onde::ply {
 
 namespace {
 
-/// The numbers of a vertex that we use. Those of colours are read over until meshes have colours.
-enum Slot { X, Y, Z, NX, NY, NZ, U, V, R, G, B, UNUSED };
+/// The numbers of a vertex that we use.
+enum Slot { X, Y, Z, NX, NY, NZ, U, V, R, G, B, A, UNUSED };
 
 Slot slot_of(const Property& property) {
     constexpr std::pair<std::string_view, Slot> SLOTS[] = {
         {"x", X},         {"y", Y},         {"z", Z},         {"nx", NX},       {"ny", NY},
         {"nz", NZ},       {"u", U},         {"v", V},         {"s", U},         {"t", V},
         {"texture_u", U}, {"texture_v", V}, {"texture_s", U}, {"texture_t", V}, {"red", R},
-        {"green", G},     {"blue", B}};
+        {"green", G},     {"blue", B},      {"alpha", A}};
     if (property.count_type) return UNUSED;
     for (const auto& [name, slot] : SLOTS)
         if (name == property.name) return slot;
@@ -35,8 +36,14 @@ bool is_finite(std::initializer_list<double> numbers) {
     return std::ranges::all_of(numbers, [](double x) { return std::isfinite(float(x)); });
 }
 
-constexpr const char* OTHERS =
-    "Other properties than positions, normals, texture coordinates and polygons are ignored";
+/// What stands for 1: colours may be bytes or 16-bit numbers.
+double one(const Property& property, Slot slot) {
+    if (slot < R || slot > A) return 1.0;
+    return property.type <= Type::uint8 ? 255.0 : property.type < Type::float32 ? 65535.0 : 1.0;
+}
+
+constexpr const char* OTHERS = "Other properties than positions, normals, colours, texture "
+                               "coordinates and polygons are ignored";
 
 bool is_corner_list(const Property& property) {
     return property.count_type &&
@@ -167,18 +174,22 @@ void Reader::read_vertices(const Element& element) {
     }
     if (!has[X] || !has[Y] || !has[Z])
         throw InputError("{}: its vertices have no x, y and z; export it again", name_);
-    if (has[R] || has[G] || has[B]) notes_.add("Vertex colours are ignored");
     body_.begin(element);
+    if (!(has[R] && has[G] && has[B]))
+        for (const Property& property : element.properties)
+            if (slot_of(property) >= R && slot_of(property) <= A) notes_.add(OTHERS, property.name);
     context_.spend(element.count, VERTEX_BYTES, name_);
     positions_.reserve(element.count);
     std::array<double, UNUSED> vertex{};
+    vertex[A] = 1.0;
     for (uint64_t row = 0; row < element.count; ++row) {
         body_.begin_row(row);
         for (size_t i = 0; i < slots.size(); ++i)
             if (slots[i] == UNUSED)
                 body_.skip(element.properties[i]);
             else
-                vertex[slots[i]] = body_.number(element.properties[i]);
+                vertex[slots[i]] =
+                    body_.number(element.properties[i]) / one(element.properties[i], slots[i]);
         add_vertex(vertex, has);
     }
 }
@@ -193,6 +204,8 @@ void Reader::add_vertex(const std::array<double, UNUSED>& vertex,
         part_.normals.emplace_back(good ? glm::vec3(vertex[NX], vertex[NY], vertex[NZ])
                                         : glm::vec3(0.0f));
     }
+    if (has[R] && has[G] && has[B])
+        part_.colors.push_back(linear_vertex_color({vertex[R], vertex[G], vertex[B]}, vertex[A]));
     if (has[U] && has[V]) {
         const bool good = is_finite({vertex[U], vertex[V]});
         if (!good) notes_.wrong(BAD_UVS);
@@ -267,6 +280,7 @@ void Reader::split_corners() {
         cost_.add(VERTEX_BYTES);
         positions_.push_back(glm::dvec3(positions_[corner]));
         if (!part_.normals.empty()) part_.normals.push_back(glm::vec3(part_.normals[corner]));
+        if (!part_.colors.empty()) part_.colors.push_back(glm::vec4(part_.colors[corner]));
         part_.uvs.push_back(uv);
     }
 }

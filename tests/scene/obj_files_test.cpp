@@ -242,11 +242,8 @@ TEST_CASE("what MTL says and we leave out is noted, unless it changes nothing") 
             load("mtllib m.mtl\n" + SQUARE + "usemtl a\n" + FACE, "newmtl a\n" + statement + "\n");
         return has_note(scene, text);
     };
-    CHECK(note("d 0.7", "opacity is rendered opaque (a)"));
-    CHECK(note("Tr 0.3", "opacity is rendered opaque (a)"));
-    CHECK_FALSE(note("d 1\nTr 0", "opacity"));
+    CHECK_FALSE(note("d 1\nTr 0", "contradict"));
     CHECK(note("d 1\nTr 1", "contradict"));
-    CHECK(note("map_d t.png", "Opacity maps"));
     CHECK(note("bump t.png", "Bump maps"));
     CHECK(note("map_Bump -bm 2 t.png", "Bump maps"));
     CHECK(note("map_Ks t.png", "Specular maps"));
@@ -315,6 +312,42 @@ TEST_CASE("a map that is missing, damaged or not allowed is left out with a note
         CHECK(material_of(scene).base_color == glm::vec3(1, 0.5f, 0.5f));
         CHECK(has_note(scene, text));
     }
+}
+
+TEST_CASE("d, Tr and map_d let rays pass") {
+    CHECK(material_of_mtl("d 0.7\n").alpha == 0.7f);
+    CHECK(material_of_mtl("d 0.7\n").alpha_mode == AlphaMode::blend);
+    CHECK(material_of_mtl("Tr 0.25\n").alpha == 0.75f);
+    CHECK(material_of_mtl("d 1\nTr 0\n").alpha_mode == AlphaMode::opaque);
+    CHECK(material_of_mtl("illum 7\nd 0.2\n").alpha_mode == AlphaMode::opaque); // glass
+    for (const std::string map_kd : {"", "map_Kd t.png\n"}) {
+        const Scene scene = load("mtllib m.mtl\n" + SQUARE + "usemtl a\n" + FACE,
+                                 "newmtl a\n" + map_kd + "map_d t.png\n");
+        const Material& material = material_of(scene);
+        CHECK(material.alpha_mode == AlphaMode::blend);
+        REQUIRE(material.base_color_texture != NO_TEXTURE);
+        const ByteImage& image =
+            image_of(scene.textures, scene.textures.at(size_t(material.base_color_texture)));
+        CHECK(image.rgba[3] == 64); // the red of an opaque picture
+        CHECK(image.rgba[2] == 255);
+        CHECK(image.rgba[0] == (map_kd.empty() ? 255 : 64));
+    }
+}
+
+TEST_CASE("vertices may have colours, from 0 to 1 or to 255") {
+    for (const std::string one : {"1", "255"}) {
+        const std::string half = one == "1" ? "0.5" : "127.5";
+        const Scene scene = load("v 0 0 0 " + one + " 0 " + half + "\nv 1 0 0 1.0 " + one +
+                                 " 0 0\nv 0 1 0\nf 1 2 3\n");
+        const Mesh& mesh = scene.meshes[0];
+        REQUIRE(mesh.colors.size() == 3);
+        CHECK(mesh.colors[0].x == 1.0f);
+        CHECK(mesh.colors[0].z == Approx(0.2140f).margin(1e-3)); // sRGB
+        CHECK(mesh.colors[1] == glm::vec4(1, 0, 0, 1));
+        CHECK(mesh.colors[2] == glm::vec4(1));
+        CHECK(material_of(scene).base_color == glm::vec3(1));
+    }
+    CHECK(load(SQUARE + FACE).meshes[0].colors.empty());
 }
 
 TEST_CASE("norm is a normal map, whose -bm scales it") {

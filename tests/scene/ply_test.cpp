@@ -79,7 +79,7 @@ TEST_CASE("both byte orders hold the same triangle, and what we don't use is ski
         CHECK(mesh.triangles == std::vector{glm::uvec3(2, 1, 0)});
         REQUIRE(scene.notes.size() >= 2);
         CHECK_THAT(scene.notes[0], Catch::Contains("material and 1 more"));
-        CHECK_THAT(scene.notes[1], Catch::Contains("Vertex colours"));
+        CHECK_THAT(scene.notes[1], Catch::Contains("red"));
     }
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("a concave PLY polygon is cut into ears and a line into nothing") {
     CHECK_THAT(scene.notes.at(0), Catch::Contains("lines are skipped"));
 }
 
-TEST_CASE("a PLY polygon may have any number of corners, and its colours are noted") {
+TEST_CASE("a PLY polygon may have any number of corners, and colours of bytes") {
     std::string values, corners = "400";
     for (int i = 0; i < 400; ++i) {
         const double angle = 6.283185307179586 * i / 400;
@@ -129,7 +129,25 @@ TEST_CASE("a PLY polygon may have any number of corners, and its colours are not
                   "property list ushort int vertex_indices\n",
               values + corners + "\n"));
     CHECK(scene.meshes[0].triangles.size() == 398);
-    CHECK_THAT(scene.notes.at(0), Catch::Contains("Vertex colours are ignored"));
+    CHECK(scene.meshes[0].colors.at(399) == glm::vec4(1, 0, 0, 1));
+    CHECK(scene.materials[0].base_color == glm::vec3(1));
+    CHECK(scene.materials[0].alpha_mode == AlphaMode::opaque);
+}
+
+TEST_CASE("colours of PLY vertices are sRGB, and their alpha lets rays pass") {
+    const Scene scene = load_ply_bytes(
+        ascii("element vertex 3\n" + POSITIONS +
+                  "property float red\nproperty float green\nproperty ushort blue\n"
+                  "property uchar alpha\n" +
+                  FACES,
+              "0 0 0 0.5 0 65535 51\n1 0 0 nan 0 0 255\n0 1 0 2 -1 0 255\n3 0 1 2\n"));
+    const std::vector<glm::vec4>& colors = scene.meshes[0].colors;
+    CHECK(colors.at(0).x == Approx(0.2140f).margin(1e-3));
+    CHECK(colors.at(0).z == 1.0f);
+    CHECK(colors.at(0).w == Approx(0.2f));
+    CHECK(colors.at(1) == glm::vec4(1));
+    CHECK(colors.at(2) == glm::vec4(1, 0, 0, 1));
+    CHECK(scene.materials[0].alpha_mode == AlphaMode::blend);
 }
 
 TEST_CASE("triangle strips keep their winding, and -1 begins a new one") {

@@ -1,0 +1,41 @@
+#include "scene/obj_opacity.h"
+
+#include <algorithm>
+
+namespace onde {
+
+namespace {
+
+bool has_alpha(const ByteImage& image) {
+    for (size_t i = 3; i < image.rgba.size(); i += 4)
+        if (image.rgba[i] != 255) return true;
+    return false;
+}
+
+/// The bytes of the texel of `image` that covers x, y of a picture of width x height.
+const uint8_t* texel(const ByteImage& image, uint32_t x, uint32_t y, uint32_t width,
+                     uint32_t height) {
+    const uint64_t column = uint64_t(x) * image.width / width;
+    const uint64_t row = uint64_t(y) * image.height / height;
+    return &image.rgba[4 * (row * image.width + column)];
+}
+
+} // namespace
+
+ByteImage with_opacity(const ByteImage& color, const ByteImage& opacity) {
+    const size_t channel = has_alpha(opacity) ? 3 : 0;
+    ByteImage result;
+    result.width = std::max(color.width, opacity.width);
+    result.height = std::max(color.height, opacity.height);
+    result.rgba.assign(size_t(4) * result.width * result.height, 255);
+    for (uint32_t y = 0; y < result.height; ++y)
+        for (uint32_t x = 0; x < result.width; ++x) {
+            uint8_t* out = &result.rgba[4 * (size_t(y) * result.width + x)];
+            if (!color.rgba.empty())
+                std::copy_n(texel(color, x, y, result.width, result.height), 3, out);
+            out[3] = texel(opacity, x, y, result.width, result.height)[channel];
+        }
+    return result;
+}
+
+} // namespace onde

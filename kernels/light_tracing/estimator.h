@@ -43,6 +43,10 @@ INLINE Step estimator_start(Estimator e, natural id, mask lanes) {
 }
 
 #if ONDE_PASSING
+INLINE mask estimator_culls(State path, mask lanes) {
+    return lanes & !lanes;
+}
+
 INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint bounce,
                            mask lanes) {
     #if ONDE_ALPHA

@@ -37,10 +37,18 @@ INLINE State estimator_start(Estimator e, natural id) {
 
 #if ONDE_PASSING
 // Backs are culled where no light was sampled along the ray: for the camera's, and after mirrors.
+INLINE mask estimator_culls(State path, mask lanes) {
+    return lanes & (path.pdf == 0.0f);
+}
+
 INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint bounce,
                            mask lanes) {
-    const real2 u = sampler_pair(path_sampler(e, id), bounce_dimension(bounce, DIMENSION_ROULETTE));
-    return pass_surfaces(e.view, path.origin, path.direction, hits, u.y, path.pdf == 0.0f, lanes);
+    real u = (real)(0.0f);
+    #if ONDE_ALPHA
+    u = sampler_pair(path_sampler(e, id), bounce_dimension(bounce, DIMENSION_ROULETTE)).y;
+    #endif
+    return pass_surfaces(e.view, path.origin, path.direction, hits, u, estimator_culls(path, lanes),
+                         lanes);
 }
 #endif
 

@@ -15,23 +15,42 @@ INLINE mask is_double_sided(SceneView view, natural material) {
 
 #if ONDE_PASSING
 
+INLINE mask is_triangle(natural tag) {
+    return (tag & (SURFACE_SPHERE | SURFACE_SHAPE)) == 0u;
+}
+
     // The most surfaces that a ray passes. Behind them a path ends as if the next were opaque, and
     // no light arrives.
     #define MOST_PASSED 256u
 
-// Whether the hits of `lanes` may be passed at all.
-INLINE mask may_pass(SceneView view, Hits hits, mask lanes) {
+    #if ONDE_CULLING
+// Which hits of `lanes` are backs that are not seen, by rays of direction `seen` on `material`.
+INLINE mask is_culled(SceneView view, Hits hits, real3 seen, natural record, natural material,
+                      mask lanes) {
+    mask culled = lanes & !is_double_sided(view, material);
+    if_any (culled) {
+        const natural instance = choose(culled, hits.instance, (natural)(BVH_NONE));
+        const real3 normal = instance_normal(
+            view, instance, RECORD3(view.surfaces, record, SurfaceRecord, triangle.geometric));
+        culled = culled & !(dot3(normal, seen) < 0.0f);
+    }
+    return culled;
+}
+    #endif
+
+// Which hits of `lanes` may be passed at all; `culls`: as in hit_opacity.
+INLINE mask may_pass(SceneView view, Hits hits, mask culls, mask lanes) {
+    #if !ONDE_CULLING
+    culls = lanes & !lanes;
+    #endif
+    #if ONDE_ALPHA
     const natural record = choose(lanes, hits.primitive, (natural)(0u));
     const natural material = SURFACE_MATERIAL(SURFACE_NATURAL(view, record, any.tag));
-    mask may = lanes & !lanes;
-    #if ONDE_ALPHA
-    may = may |
-          (RECORD_NATURAL(view.materials, material, MaterialRecord, alpha_mode) != ALPHA_OPAQUE);
+    const natural mode = RECORD_NATURAL(view.materials, material, MaterialRecord, alpha_mode);
+    return lanes & (culls | (mode != ALPHA_OPAQUE));
+    #else
+    return lanes & culls;
     #endif
-    #if ONDE_CULLING
-    may = may | (RECORD_NATURAL(view.materials, material, MaterialRecord, double_sided) == 0u);
-    #endif
-    return lanes & may;
 }
 
 // The opacity of what the rays of `lanes` have hit. `seen` is the direction of sight, in which the
@@ -40,7 +59,7 @@ INLINE real hit_opacity(SceneView view, Hits hits, real3 seen, mask culls, mask 
     const natural record = choose(lanes, hits.primitive, (natural)(0u));
     const natural tag = SURFACE_NATURAL(view, record, any.tag);
     const natural material = SURFACE_MATERIAL(tag);
-    const mask triangle = lanes & ((tag & (SURFACE_SPHERE | SURFACE_SHAPE)) == 0u);
+    const mask triangle = lanes & is_triangle(tag);
     real opacity = (real)(1.0f);
     #if ONDE_ALPHA
     const real u = choose(triangle, hits.u, (real)(0.0f));
@@ -50,15 +69,8 @@ INLINE real hit_opacity(SceneView view, Hits hits, real3 seen, mask culls, mask 
                                triangle_alpha(view, corners, u, v));
     #endif
     #if ONDE_CULLING
-    const mask one_sided =
-        RECORD_NATURAL(view.materials, material, MaterialRecord, double_sided) == 0u;
-    const mask culled = triangle & culls & one_sided;
-    if_any (culled) {
-        const natural instance = choose(triangle, hits.instance, (natural)(BVH_NONE));
-        const real3 normal = instance_normal(
-            view, instance, RECORD3(view.surfaces, record, SurfaceRecord, triangle.geometric));
-        opacity = choose(culled & !(dot3(normal, seen) < 0.0f), (real)(0.0f), opacity);
-    }
+    const mask culled = is_culled(view, hits, seen, record, material, triangle & culls);
+    opacity = choose(culled, (real)(0.0f), opacity);
     #endif
     return opacity;
 }

@@ -30,11 +30,12 @@ INLINE void pass_columns(Estimator e, WaveView wave, uint bounce, uint begin, ui
     for (uint i = begin; i < end; i += ONDE_WIDTH) {
         const mask lanes = group_lanes(i, end);
         const Hits hits = load_hits(wave_hits(wave), i);
-        const mask may = may_pass(e.view, hits, lanes & (hits.primitive != BVH_NONE));
+        const State state = load_state(wave.state, i);
+        const mask may = may_pass(e.view, hits, estimator_culls(state, lanes),
+                                  lanes & (hits.primitive != BVH_NONE));
         if (!mask_bits(may)) continue;
         const natural id = choose(lanes, load_id(wave, i), (natural)(0u));
-        store_hits(wave_hits(wave), i,
-                   estimator_pass(e, load_state(wave.state, i), hits, id, bounce, may));
+        store_hits(wave_hits(wave), i, estimator_pass(e, state, hits, id, bounce, may));
     }
 }
 #endif

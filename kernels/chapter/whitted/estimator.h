@@ -151,6 +151,10 @@ INLINE real estimator_transmittance(Estimator e, real3 origin, real3 direction, 
 #endif
 
 #if ONDE_PASSING
+INLINE mask estimator_culls(State ray, mask lanes) {
+    return lanes;
+}
+
 // A ray of a tree is known by its place and direction: what it passes is drawn by a hash of them.
 INLINE Hits estimator_pass(Estimator e, State ray, Hits hits, natural id, uint bounce, mask lanes) {
     natural key = job_pixel(e.job, id) + hash_natural(job_sample(e.job, id));

@@ -2,19 +2,21 @@
 #ifndef ONDE_FILM_FILM_H
 #define ONDE_FILM_FILM_H
 
+#include "film/aovs.h"
 #include "film/job.h"
 
 typedef struct {
-    __global float4* sums;  // by y * width + x: red, green, blue, number of samples
+    __global float4* sums; // by y * width + x: red, green, blue, number of samples; the AOVs behind
     __global uint* invalid; // see INVALID_COUNT
-    uint width;
+    uint width, pixels;
 } FilmView;
 
 #define FILM_VIEW(view)                                                                            \
     FilmView view;                                                                                 \
     view.sums = film_sums;                                                                         \
     view.invalid = invalid;                                                                        \
-    view.width = frame->width
+    view.width = frame->width;                                                                     \
+    view.pixels = frame->width * frame->height
 
 // Not-finite radiance never reaches the film: it is counted, and the first one is remembered.
 INLINE void film_reject(FilmView film, uint pixel, uint sample) {
@@ -25,16 +27,27 @@ INLINE void film_reject(FilmView film, uint pixel, uint sample) {
 }
 
 // Adds one sample. The samples of a pixel lie next to each other in a wave, in ascending order, and
-// one work item adds them one by one: no split of the work changes a bit of the sum.
-INLINE void film_add(FilmView film, WaveJob job, uint path, float4 radiance) {
+// one work item adds them one by one: no split of the work changes a bit of the sum. Returns
+// whether it could be added.
+INLINE bool film_add(FilmView film, WaveJob job, uint path, float4 radiance) {
     const uint pixel = path_pixel(job, path);
     const float sum = radiance.x + radiance.y + radiance.z;
     if (!(fabs(sum) < MAXFLOAT)) {
         film_reject(film, pixel, path_sample(job, path));
-        return;
+        return false;
     }
     film.sums[(size_t)(pixel >> 16) * film.width + (pixel & 0xffffu)] +=
         (float4)(radiance.x, radiance.y, radiance.z, 1.0f);
+    return true;
+}
+
+// The same of another plane, for a sample whose radiance was added. What is not finite counts as 0.
+INLINE void film_add_aov(FilmView film, WaveJob job, uint path, uint plane, float4 value) {
+    const uint pixel = path_pixel(job, path);
+    const float sum = value.x + value.y + value.z;
+    if (!(fabs(sum) < MAXFLOAT)) value = (float4)(0.0f);
+    film.sums[(size_t)plane * film.pixels + (size_t)(pixel >> 16) * film.width +
+              (pixel & 0xffffu)] += (float4)(value.x, value.y, value.z, 1.0f);
 }
 
 #endif

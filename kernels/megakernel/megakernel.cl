@@ -8,6 +8,9 @@
 typedef struct {
     real3 sum;
     natural contributed, unblocked; // of estimators that splat
+#if ONDE_AOVS
+    Aovs aovs;
+#endif
 } Gathered;
 
 #if ESTIMATOR_SPLATS
@@ -93,6 +96,9 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
     #if ESTIMATOR_EMITS
         gathered.sum = choose(alive, add3(gathered.sum, step.emitted), gathered.sum);
     #endif
+    #if ONDE_AOVS
+        if (bounce == 0) gathered.aovs = step.aovs;
+    #endif
         state = step.next;
         connect_lanes(e, film, step.connection, id, bounce + ESTIMATOR_CONNECTS_START, alive,
                       &gathered);
@@ -101,6 +107,28 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
     }
     return gathered;
 }
+
+#if ONDE_AOVS
+INLINE void add_aov(Estimator e, FilmView film, real3 value, uint plane, uint first, uint bits) {
+    float x[ONDE_WIDTH], y[ONDE_WIDTH], z[ONDE_WIDTH];
+    spill_real(x, value.x);
+    spill_real(y, value.y);
+    spill_real(z, value.z);
+    for (; bits; bits &= bits - 1) {
+        const uint k = lowest_bit(bits);
+        film_add_aov(film, e.job, first + k, plane, (float4)(x[k], y[k], z[k], 0.0f));
+    }
+}
+
+// Those of the paths from `first` whose radiance was added.
+INLINE void add_aovs(Estimator e, FilmView film, Aovs all, uint first, uint bits) {
+    uint plane = 0;
+    #define ONDE_ADD_AOV(NAME, name, components)                                                   \
+        if (HAS_AOV(NAME)) add_aov(e, film, all.name, ++plane, first, bits);
+    AOVS(ONDE_ADD_AOV)
+    #undef ONDE_ADD_AOV
+}
+#endif
 
 __kernel void megakernel(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS ESTIMATOR_PARAMETERS) {
     const Range range = whole_range(count, chunk);
@@ -116,8 +144,12 @@ __kernel void megakernel(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS EST
         spill_real(x, gathered.sum.x);
         spill_real(y, gathered.sum.y);
         spill_real(z, gathered.sum.z);
+        uint added = 0;
         for (uint k = 0; k < ONDE_WIDTH && i + k < range.end; k++)
-            film_add(film, e.job, i + k, (float4)(x[k], y[k], z[k], 0.0f));
+            added |= (uint)film_add(film, e.job, i + k, (float4)(x[k], y[k], z[k], 0.0f)) << k;
+    #if ONDE_AOVS
+        add_aovs(e, film, gathered.aovs, i, added);
+    #endif
 #endif
     }
 }

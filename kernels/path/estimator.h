@@ -38,7 +38,7 @@ INLINE State estimator_start(Estimator e, natural id) {
 #if ONDE_PASSING
 // Backs are culled where no light was sampled along the ray: for the camera's, and after mirrors.
 INLINE mask estimator_culls(State path, mask lanes) {
-    return lanes & (path.pdf == 0.0f);
+    return lanes & (path.pdf <= 0.0f);
 }
 
 INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint bounce,
@@ -61,7 +61,11 @@ INLINE real estimator_transmittance(Estimator e, real3 origin, real3 direction, 
 
 INLINE Step estimator_vertex(Estimator e, State path, Hits hits, natural id, uint bounce,
                              mask lanes) {
-    return path_vertex(e.view, path, hits, path_sampler(e, id), bounce, lanes);
+    const Step step = path_vertex(e.view, path, hits, path_sampler(e, id), bounce, lanes);
+#if ONDE_GROUND
+    count_rays(e.job.counters, COUNTER_SHADOW, bounce, popcount(step.tested));
+#endif
+    return step;
 }
 
 #endif

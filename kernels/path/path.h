@@ -4,11 +4,18 @@
 #ifndef ONDE_PATH_PATH_H
 #define ONDE_PATH_PATH_H
 
+#include "path/aovs.h"
+#include "path/ground.h"
 #include "shade/camera.h"
 #include "shade/connection.h"
 #include "shade/light.h"
 #include "shade/passing.h"
 #include "shade/vertex.h"
+
+// Whether the camera sees the environment.
+#ifndef ONDE_BACKGROUND
+    #define ONDE_BACKGROUND 1
+#endif
 
 COLUMNS_TYPE(Path, PATH_COLUMNS);
 
@@ -17,6 +24,12 @@ typedef struct {
     Connection connection; // light sampled from here, for the path's own sum
     Path next;
     mask alive; // whether `next` goes on
+#if ONDE_AOVS
+    Aovs aovs; // at the first vertex
+#endif
+#if ONDE_GROUND
+    uint tested; // rays to lights of the ground, by lane
+#endif
 } PathVertex;
 
 INLINE Path path_start(__global const FrameRecord* frame, natural pixel, Sampler sampler) {
@@ -36,7 +49,10 @@ INLINE real found_weight(real bsdf_pdf, real light_pdf) {
 
 INLINE real3 path_background(SceneView view, Path path) {
     const real3 radiance = environment_radiance(view, path.direction);
-    const real weight = found_weight(path.pdf, environment_found_pdf(view, path.direction));
+    real weight = found_weight(path.pdf, environment_found_pdf(view, path.direction));
+#if ONDE_GROUND
+    weight = choose(path.pdf == GROUND_PDF, (real)(0.0f), weight);
+#endif
     return mul3(path.throughput, scale3(radiance, weight));
 }
 
@@ -86,10 +102,42 @@ INLINE mask path_roulette(Path* path, Sampler sampler, uint bounce, mask lanes) 
     return lanes & (u < survival);
 }
 
-// One vertex of the paths in `lanes`: `hit` is what their rays met. `bounce` counts from 0 at the
-// first surface.
-OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sampler, uint bounce,
-                                mask lanes) {
+#if ONDE_GROUND
+// What the paths in `lanes`, which have met no surface, see of the ground.
+INLINE void path_ground(SceneView view, Path path, Sampler sampler, uint bounce, mask lanes,
+                        PathVertex* result) {
+    const mask ground = lanes & sees_ground(view, path.origin, path.direction, path.pdf);
+    if (!mask_bits(ground)) return;
+    const Ground g =
+        ground_at(view, path.origin, path.direction,
+                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x,
+                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT)),
+                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_DIRECTION)), ground);
+    const real3 left = sub3(splat3((real)(1.0f)), g.kept);
+    result->emitted = choose(ground, mul3(result->emitted, left), result->emitted);
+    result->tested = g.tested;
+    #if HAS_AOV(ALPHA)
+    const real3 alpha = splat3((g.kept.x + g.kept.y + g.kept.z) * (1.0f / 3.0f));
+    result->aovs.alpha = choose(ground, alpha, result->aovs.alpha);
+    #endif
+    if (bounce + 1 >= view.frame->max_depth) return;
+    Path next;
+    next.origin = g.position;
+    next.direction = g.direction;
+    next.throughput = scale3(path.throughput, g.reflectance);
+    next.pdf = (real)(GROUND_PDF);
+    const mask alive = ground & (g.direction.y > 0.0f);
+    result->alive = result->alive | path_roulette(&next, sampler, bounce, alive);
+    result->next.origin = choose(ground, next.origin, result->next.origin);
+    result->next.direction = choose(ground, next.direction, result->next.direction);
+    result->next.throughput = choose(ground, next.throughput, result->next.throughput);
+    result->next.pdf = choose(ground, next.pdf, result->next.pdf);
+}
+#endif
+
+// The paths in `lanes` at the surfaces that they have hit, or at the environment.
+INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler sampler, uint bounce,
+                               mask lanes) {
     PathVertex result;
     result.emitted = zero3();
     result.connection = no_connection();
@@ -97,10 +145,13 @@ OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sam
     const mask found = lanes & (hit.primitive != BVH_NONE);
     const mask missed = lanes & !found;
     result.alive = found;
+#if ONDE_AOVS
+    result.aovs = no_aovs();
+#endif
 #if ONDE_ENVIRONMENT
-    if_any (missed) {
+    const bool is_seen = ONDE_BACKGROUND || bounce > 0;
+    if (is_seen && mask_bits(missed))
         result.emitted = choose(missed, path_background(view, path), result.emitted);
-    }
 #endif
     if (!mask_bits(found)) return result;
 
@@ -110,6 +161,9 @@ OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sam
     const real3 emitted = path_emission(view, path, v.t, v.surface, found);
     result.emitted = choose(found, emitted, result.emitted);
     if (HAS_UNLIT) result.emitted = add3(result.emitted, path_unlit(view, path, v.surface, found));
+#if ONDE_AOVS
+    if (bounce == 0) result.aovs = first_surface(view, v, path.direction, found);
+#endif
     if (bounce + 1 >= view.frame->max_depth) {
         result.alive = found & !found;
         return result;
@@ -136,6 +190,19 @@ OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sam
     if (bounce >= view.frame->roulette_start) {
         result.alive = path_roulette(&result.next, sampler, bounce, result.alive);
     }
+    return result;
+}
+
+// One vertex of the paths in `lanes`: `hit` is what their rays met. `bounce` counts from 0 at the
+// first surface.
+OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sampler, uint bounce,
+                                mask lanes) {
+    PathVertex result = path_surface(view, path, hit, sampler, bounce, lanes);
+#if ONDE_GROUND
+    result.tested = 0;
+    const mask missed = lanes & (hit.primitive == BVH_NONE);
+    path_ground(view, path, sampler, bounce, missed, &result);
+#endif
     return result;
 }
 

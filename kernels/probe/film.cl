@@ -10,7 +10,7 @@ __kernel void probe_film(uint count, uint samples, __global const uint* pixel_or
     FilmView film;
     film.sums = sums;
     film.invalid = invalid;
-    film.width = count;
+    film.width = film.pixels = count;
     WaveJob job;
     job.pixel_order = pixel_order;
     job.first_pixel = pixel;

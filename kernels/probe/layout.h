@@ -3,6 +3,7 @@
 #ifndef ONDE_PROBE_LAYOUT_H
 #define ONDE_PROBE_LAYOUT_H
 
+#include "shared/aovs.h"
 #include "shared/bvh.h"
 #include "shared/columns.h"
 #include "shared/frame.h"
@@ -102,7 +103,9 @@
     OFFSET(FrameRecord, environment_height)                                                        \
     OFFSET(FrameRecord, environment_radiance)                                                      \
     OFFSET(FrameRecord, environment_rotation)                                                      \
-    OFFSET(FrameRecord, environment_pad)                                                           \
+    OFFSET(FrameRecord, ground_share)                                                              \
+    OFFSET(FrameRecord, ground_height)                                                             \
+    OFFSET(FrameRecord, pad4)                                                                      \
     OFFSET(FrameRecord, filter_table)                                                              \
     SIZE(MaterialRecord)                                                                           \
     OFFSET(MaterialRecord, kind)                                                                   \

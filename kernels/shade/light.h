@@ -4,6 +4,7 @@
 #ifndef ONDE_SHADE_LIGHT_H
 #define ONDE_SHADE_LIGHT_H
 
+#include "math/random.h"
 #include "shade/lights/directional.h"
 #include "shade/lights/disk.h"
 #include "shade/lights/environment.h"
@@ -38,14 +39,15 @@ INLINE natural choose_light_and_rest(SceneView view, real choice, real2* u) {
     return choose_light(view, &u->x);
 }
 
-// One light, and a direction to it from a point. The pdf
-// of a delta light is that of the choice alone.
-INLINE LightSample light_sample(SceneView view, real3 from, real choice, real2 u, mask lanes) {
+// One light, and a direction to it from a point. The pdf of a delta light is that of the choice
+// alone. Nothing where the light is of none of `kinds`, bits of a constant.
+INLINE LightSample sample_light_of(SceneView view, uint kinds, real3 from, real choice, real2 u,
+                                   mask lanes) {
     const natural light = choose_light_and_rest(view, choice, &u);
     const natural kind = RECORD_NATURAL(view.lights, light, LightRecord, kind);
     LightSample s = no_light_sample();
 #define SAMPLE_LIGHT(NAME, name, Record)                                                           \
-    if (HAS_LIGHT(NAME)) {                                                                         \
+    if (HAS_LIGHT(NAME) && (kinds >> LIGHT_##NAME & 1u)) {                                         \
         const mask own = lanes & (kind == (uint)LIGHT_##NAME);                                     \
         if_any (own) s = choose(own, name##_light_sample(view, light, from, u), s);                \
     }
@@ -54,6 +56,13 @@ INLINE LightSample light_sample(SceneView view, real3 from, real choice, real2 u
     s.pdf *= RECORD(view.lights, light, LightRecord, pmf);
     return s;
 }
+
+INLINE LightSample light_sample(SceneView view, real3 from, real choice, real2 u, mask lanes) {
+    return sample_light_of(view, ~0u, from, choice, u, lanes);
+}
+
+// Light from infinity.
+#define INFINITE_LIGHTS (1u << LIGHT_ENVIRONMENT | 1u << LIGHT_DIRECTIONAL)
 
 // The density with which light_sample would have produced the ray from `from` that hit the
 // emitting surface `s` at distance t. Lanes whose surface is no light get 0.

@@ -33,7 +33,10 @@ typedef struct {
     uint environment_width, environment_height; // of the map; 0 when it is constant
     float environment_radiance[3];
     float environment_rotation; // in turns
-    float environment_pad[3];
+    float ground_share[3]; // of a sample of light, in all the light that the ground receives: 1 /
+                           // that
+    float ground_height;   // y of the plane
+    float pad4[3];
     // Inverse cumulative distribution of the pixel filter, offsets in pixels.
     float filter_table[FILTER_TABLE_SIZE];
 } FrameRecord;

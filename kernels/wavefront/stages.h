@@ -8,7 +8,9 @@
 
 // Paths `id` = slot begin to end of the wave, on their way; their sums are zero.
 INLINE void stage_generate(Estimator e, WaveView wave, uint begin, uint end) {
-    for (uint i = begin; i < end; i++) wave.sums[i] = (float4)(0.0f);
+    for (uint plane = 0; plane <= AOV_PLANES; plane++)
+        for (uint i = begin; i < end; i++)
+            wave.sums[plane * wave.state.stride + i] = (float4)(0.0f);
     for (uint i = begin; i < end; i += ONDE_WIDTH) {
         const mask lanes = group_lanes(i, end);
         const natural id = choose(lanes, lane_index() + i, (natural)(begin));
@@ -57,6 +59,9 @@ INLINE void stage_shade(Estimator e, WaveView wave, uint bounce, uint begin, uin
                                            load_hits(wave_hits(wave), i), id, bounce, lanes);
 #if ESTIMATOR_EMITS
         add_to_sums(wave, id, step.emitted, mask_bits(lanes & nonzero3(step.emitted)));
+#endif
+#if ONDE_AOVS
+        if (bounce == 0) store_aovs(wave, id, step.aovs, mask_bits(lanes));
 #endif
         store_connection(wave_connections(wave), i, step.connection);
         store_state(wave.state, i, step.next);
@@ -187,7 +192,11 @@ INLINE void stage_accumulate(Estimator e, WaveView wave, FilmView film, uint beg
     }
     estimator_tell(e, contributed, unblocked);
 #else
-    for (uint i = begin; i < end; i++) film_add(film, e.job, i, wave.sums[i]);
+    for (uint i = begin; i < end; i++) {
+        const bool added = film_add(film, e.job, i, wave.sums[i]);
+        for (uint plane = 1; added && plane <= AOV_PLANES; plane++)
+            film_add_aov(film, e.job, i, plane, wave.sums[plane * wave.state.stride + i]);
+    }
 #endif
 }
 

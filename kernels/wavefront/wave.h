@@ -13,6 +13,7 @@
 #ifndef ONDE_WAVEFRONT_WAVE_H
 #define ONDE_WAVEFRONT_WAVE_H
 
+#include "film/aovs.h"
 #include "trace/trace_columns.h"
 
 COLUMNS_ACCESS(State, state, ESTIMATOR_COLUMNS)
@@ -29,7 +30,7 @@ COLUMNS_ACCESS(Connection, connection, ESTIMATOR_CONNECTIONS)
 
 typedef struct {
     Columns state, work;
-    __global float4* sums; // by path id: what the path has gathered
+    __global float4* sums; // by path id: what the path has gathered; its AOVs behind, by planes
 } WaveView;
 
 // The same as kernel parameters, in the order in which the host binds them.
@@ -74,6 +75,19 @@ INLINE void store_sums(WaveView wave, natural id, real3 value, uint bits) {
         wave.sums[as_uint(word[k])] = (float4)(x[k], y[k], z[k], 0.0f);
     }
 }
+
+#if ONDE_AOVS
+// What the paths in `bits` have of every AOV.
+INLINE void store_aovs(WaveView wave, natural id, Aovs all, uint bits) {
+    #define ONDE_STORE_AOV(NAME, name, components)                                                 \
+        if (HAS_AOV(NAME)) {                                                                       \
+            id += wave.state.stride;                                                               \
+            store_sums(wave, id, all.name, bits);                                                  \
+        }
+    AOVS(ONDE_STORE_AOV)
+    #undef ONDE_STORE_AOV
+}
+#endif
 
 // Adds to the sums of the paths in `bits`. Every path is in one slot, so nobody else writes there.
 INLINE void add_to_sums(WaveView wave, natural id, real3 value, uint bits) {

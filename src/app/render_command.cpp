@@ -9,6 +9,7 @@
 #include "core/log.h"
 #include "core/output.h"
 #include "core/timer.h"
+#include "image/tone.h"
 #include "scene/load.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ void write_pictures(const std::vector<std::filesystem::path>& paths, Outputs& ou
     const ExrDepth depth = request.full_float ? ExrDepth::full_float : ExrDepth::half_float;
     write_each(
         paths, outputs, [&](const auto& path) { write_exr(path, image, metadata, depth); },
-        [&](const auto& path) { write_png(path, image, display, metadata); });
+        [&](const auto& path) { write_png(path, straight_alpha(image), display, metadata); });
 }
 
 void write_cost_maps(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
@@ -61,16 +62,25 @@ void write_cost_maps(const std::vector<std::filesystem::path>& paths, Outputs& o
                  map.sum(), double(map.sum()) / (double(map.width) * map.height), map.largest());
 }
 
-/// The numbers of a channel of the film, or grey where the largest is white.
+/// A channel as it is seen: directions by their octant, colours as they are, others grey, where the
+/// largest is white.
+Image shown_channel(Image numbers, const FilmChannel& channel) {
+    const bool is_direction = channel.sums == AOV_NORMAL;
+    const float largest = channel.components == 3 ? 1.0f : std::ranges::max(numbers.pixels);
+    for (float& number : numbers.pixels)
+        number = is_direction ? linear_from_srgb(0.5f + 0.5f * number)
+                              : number / std::max(largest, 1e-30f);
+    return numbers;
+}
+
+/// The numbers of a channel of the film, or what is seen of it.
 void write_channel(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
-                   const Image& numbers, const std::string& name, const ImageMetadata& metadata) {
-    const float largest = std::max(*std::ranges::max_element(numbers.pixels), 1e-30f);
+                   const Image& numbers, const FilmChannel& channel,
+                   const ImageMetadata& metadata) {
     write_each(
-        aov_paths(paths, name), outputs,
+        aov_paths(paths, std::string(channel.name)), outputs,
         [&](const auto& path) { write_exr(path, numbers, metadata, ExrDepth::full_float); },
-        [&](const auto& path) {
-            write_png(path, numbers, {-std::log2(largest), ToneMap::none}, metadata);
-        });
+        [&](const auto& path) { write_png(path, shown_channel(numbers, channel), {}, metadata); });
 }
 
 void write_all(const std::vector<std::filesystem::path>& paths, Outputs& outputs, Session& session,
@@ -84,10 +94,8 @@ void write_all(const std::vector<std::filesystem::path>& paths, Outputs& outputs
         if (aov == TRAVERSAL_COST)
             write_cost_maps(paths, outputs, session.traversal_cost(), metadata);
         else
-            write_channel(
-                paths, outputs,
-                session.film().develop(*std::ranges::find(FILM_CHANNELS, aov, &FilmChannel::name)),
-                aov, metadata);
+            write_channel(paths, outputs, session.film().develop(*find_channel(aov)),
+                          *find_channel(aov), metadata);
 }
 
 RenderOutcome render_until_done(Session& session, const StopOnInterrupt& interrupt, bool quiet) {

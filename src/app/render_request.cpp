@@ -44,6 +44,9 @@ void declare_view(Command& command, RenderRequest& r) {
     command.choice("--studio", r.studio,
                    "Light of soft boxes for files without an environment (for models and what is "
                    "dark else)");
+    command.choice(
+        "--ground", r.ground,
+        "A plane under the scene that shows only its shadow and reflection (for models)");
 }
 
 void declare_picture(Command& command, RenderRequest& r) {
@@ -63,8 +66,12 @@ void declare_picture(Command& command, RenderRequest& r) {
     command.option(
         "--aov", &r.aovs,
         "Also write OUTPUT.WORD, as numbers in .exr, as colours in .png: traversal-cost,\n"
-        "the boxes and primitives that camera rays test by pixel; sample-count",
+        "the boxes and primitives that camera rays test by pixel; sample-count; and of\n"
+        "the first surface alpha, albedo, normal or depth",
         {.value = "WORD", .delimiter = ',', .words = aov_words()});
+    command.choice("--background", r.choices.background,
+                   "What is behind the scene; transparent gives the picture an alpha channel, "
+                   "multiplied in .exr, straight in .png (environment)");
     command.flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
 }
 
@@ -153,6 +160,7 @@ void declare_replay_options(Command& command, RenderRequest& request) {
 Scene load_requested_scene(const RenderRequest& request) {
     LoadOptions options = load_options(request.load);
     options.studio = request.studio;
+    options.ground = request.ground;
     if (!request.size.empty()) {
         const auto [width, height] = parse_size(request.size);
         options.size = glm::uvec2(width, height);
@@ -187,6 +195,9 @@ Machine open_machine(const MachineRequest& request, gpu::Profiling profiling) {
 Session open_session(Machine& machine, Scene scene, const RenderRequest& request) {
     RenderChoices choices = request.choices;
     if (!request.size.empty()) std::tie(choices.width, choices.height) = parse_size(request.size);
+    for (const std::string& aov : request.aovs)
+        if (const FilmChannel* channel = find_channel(aov); channel && channel->sums < AOV_COUNT)
+            choices.aovs |= 1u << channel->sums;
     const ResolvedOptions resolved = resolve_options(choices, scene, machine.device.facts());
     scene.notes.insert(scene.notes.end(), resolved.notes.begin(), resolved.notes.end());
     SessionOptions options{.render = resolved.options, .bvh = request.bvh};

@@ -40,6 +40,7 @@ struct RenderRequest {
     std::optional<float> exposure;
     std::optional<ToneMap> tone_map;
     Studio studio = Studio::automatic;
+    GroundPlane ground = GroundPlane::automatic;
     bool full_float = false;
     std::filesystem::path json;
     bool stats = false, quiet = false;

@@ -91,6 +91,14 @@ static uint8_t byte(float value) {
     return uint8_t(std::lround(255 * std::fmin(std::fmax(value, 0.0f), 1.0f)));
 }
 
+Image straight_alpha(Image image) {
+    if (image.channels != 4) return image;
+    for (size_t i = 0; i < image.pixels.size(); i += 4)
+        for (size_t k = 0; k < 3 && image.pixels[i + 3] > 0; k++)
+            image.pixels[i + k] /= image.pixels[i + 3];
+    return image;
+}
+
 std::vector<uint8_t> display_bytes(const Image& image, const Display& display) {
     const float scale = std::exp2(display.exposure);
     const size_t channels = image.channels, colors = std::min<size_t>(channels, 3);

@@ -33,6 +33,10 @@ glm::vec3 neutral(glm::vec3 linear);
 /// Source: T. Sobotka, AgX, 2022, its curve in the closed form of its generator.
 glm::vec3 agx(glm::vec3 linear);
 
+/// Colours by themselves of a picture whose fourth channel is the alpha that they are multiplied
+/// by; pictures of other channels stay as they are.
+Image straight_alpha(Image image);
+
 /// Interleaved bytes of `image`, as many channels as it has: exposed, tone mapped, clipped and sRGB
 /// encoded; a fourth channel is alpha and only clipped. NaN gives 0.
 std::vector<uint8_t> display_bytes(const Image& image, const Display& display);

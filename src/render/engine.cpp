@@ -61,6 +61,9 @@ gpu::Program build_engine(const EngineContext& context, const EstimatorShape& es
     request.defines.push_back(fmt::format("ONDE_WIDTH={}", settings.width));
     request.defines.push_back(
         fmt::format("ONDE_INTERLEAVE={:d}", context.scene.bvh_bytes() > settings.interleave_above));
+    request.defines.push_back(fmt::format("ONDE_AOVS={}", options.aovs));
+    request.defines.push_back(
+        fmt::format("ONDE_BACKGROUND={:d}", options.background == Background::environment));
     request.defines.insert(request.defines.end(), estimator.defines.begin(),
                            estimator.defines.end());
     const uint64_t frame = uint64_t(options.width) * options.height * options.samples_in_flight;
@@ -74,7 +77,7 @@ gpu::Program build_engine(const EngineContext& context, const EstimatorShape& es
 void plan_engine(RenderBuffers& buffers, const EstimatorShape& estimator,
                  const RenderOptions& options) {
     JobBuffers(buffers.film, options);
-    if (options.engine == Engine::wavefront) WaveMemory(buffers.paths, estimator, options.settings);
+    if (options.engine == Engine::wavefront) WaveMemory(buffers.paths, estimator, options);
 }
 
 std::unique_ptr<EngineDriver> make_engine(const EngineContext& context,

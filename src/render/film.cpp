@@ -23,34 +23,26 @@ size_t pending_levels(const RenderOptions& options) {
     return size_t(std::bit_width((options.samples - 1) / FILM_BLOCK));
 }
 
-std::vector<Film::Plane> make_planes(gpu::BufferList& buffers, const RenderOptions& options,
-                                     std::span<const FilmChannel> channels) {
-    const size_t pixels = size_t(options.width) * options.height;
-    uint32_t count = 0;
-    for (const FilmChannel& channel : channels) count = std::max(count, channel.plane + 1);
-    std::vector<Film::Plane> planes(count);
-    for (Film::Plane& plane : planes) {
-        plane.block = buffers.add<cl_float4>("film sums", pixels);
-        for (size_t level = 0; level < pending_levels(options); level++)
-            plane.pending.push_back(buffers.add<cl_float4>(
-                fmt::format("film sums of {} samples", FILM_BLOCK << level), pixels));
-    }
-    return planes;
+Film::Sums make_sums(gpu::BufferList& buffers, const RenderOptions& options) {
+    const size_t count = size_t(options.width) * options.height * film_planes(options.aovs);
+    Film::Sums sums;
+    sums.block = buffers.add<cl_float4>("film sums", count);
+    for (size_t level = 0; level < pending_levels(options); level++)
+        sums.pending.push_back(buffers.add<cl_float4>(
+            fmt::format("film sums of {} samples", FILM_BLOCK << level), count));
+    return sums;
 }
 
 } // namespace
 
-void plan_film(gpu::BufferList& buffers, const RenderOptions& options,
-               std::span<const FilmChannel> channels) {
-    make_planes(buffers, options, channels);
+void plan_film(gpu::BufferList& buffers, const RenderOptions& options) {
+    make_sums(buffers, options);
     buffers.add<uint32_t>("invalid samples", INVALID_SIZE);
 }
 
-Film::Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOptions& options,
-           std::span<const FilmChannel> channels)
+Film::Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOptions& options)
     : programs_(programs), device_(programs.device()), width_(options.width),
-      height_(options.height), channels_(channels.begin(), channels.end()),
-      planes_(make_planes(buffers, options, channels)),
+      height_(options.height), aovs_(options.aovs), sums_(make_sums(buffers, options)),
       invalid_(buffers.add<uint32_t>("invalid samples", INVALID_SIZE)) {
     if (has_several_blocks(options)) build();
     clear();
@@ -58,7 +50,7 @@ Film::Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOption
 
 void Film::build() {
     const gpu::DeviceSettings settings = gpu::default_settings(device_.facts());
-    const size_t items = (pixels() + settings.chunk - 1) / settings.chunk;
+    const size_t items = (sum_count() + settings.chunk - 1) / settings.chunk;
     const uint32_t local = settings.local_size;
     program_ =
         programs_.build({"film/carry.cl", {}, {{"join", local, items}, {"carry", local, items}}});
@@ -75,8 +67,7 @@ uint32_t Film::begin_pass(uint32_t first, uint32_t count) {
         throw InputError("{} samples from {} can't follow sample {} of a film", count, first,
                          extent_.end);
     const bool is_full = extent_.end % FILM_BLOCK == 0 && extent_.end > extent_.begin;
-    if (is_full && extent_.pass == 0 && splats_.size() == 0)
-        for (Plane& plane : planes_) carry(plane);
+    if (is_full && extent_.pass == 0 && splats_.size() == 0) carry();
     extent_.pass = count;
     return extent_.pixels;
 }
@@ -93,35 +84,48 @@ size_t Film::levels() const {
     return splats_.size() > 0 ? 0 : size_t(std::bit_width(extent_.block()));
 }
 
-void Film::carry(Plane& plane) {
+void Film::carry() {
     const auto level = size_t(std::countr_one(extent_.block())); // of the block that is full
-    while (plane.pending.size() <= level) plane.pending.emplace_back(device_, pixels());
+    while (sums_.pending.size() <= level) sums_.pending.emplace_back(device_, sum_count());
     for (size_t below = 0; below < level; below++)
-        if (extent_.is_pending(below)) launch("join", plane.pending[below], plane);
-    launch("carry", plane.pending[level], plane);
+        if (extent_.is_pending(below)) launch("join", sums_.pending[below]);
+    launch("carry", sums_.pending[level]);
 }
 
-void Film::launch(const char* name, const gpu::Buffer<cl_float4>& pending, const Plane& plane) {
+void Film::launch(const char* name, const gpu::Buffer<cl_float4>& pending) {
     if (!program_) build();
     const uint32_t chunk = gpu::default_settings(device_.facts()).chunk;
     gpu::Kernel& kernel = program_->kernel(name);
-    kernel.set_from(0, pixels(), chunk, pending, plane.block);
-    kernel.launch((pixels() + chunk - 1) / chunk);
+    kernel.set_from(0, sum_count(), chunk, pending, sums_.block);
+    kernel.launch((sum_count() + chunk - 1) / chunk);
 }
 
-FilmSums Film::join(const Plane& plane) const {
-    FilmSums sums = plane.block.read(device_);
+FilmSums Film::join() const {
+    FilmSums sums = sums_.block.read(device_);
     for (size_t level = 0; level < levels(); level++) {
         if (!extent_.is_pending(level)) continue;
-        const FilmSums pending = plane.pending[level].read(device_);
+        const FilmSums pending = sums_.pending[level].read(device_);
         for (size_t i = 0; i < sums.size(); i++)
             for (size_t k = 0; k < 4; k++) sums[i].s[k] += pending[i].s[k];
     }
     return sums;
 }
 
+const FilmChannel* find_channel(std::string_view name) {
+    const auto* channel = std::ranges::find(FILM_CHANNELS, name, &FilmChannel::name);
+    return channel == std::end(FILM_CHANNELS) ? nullptr : channel;
+}
+
+bool Film::has(const FilmChannel& channel) const {
+    return channel.sums == RADIANCE_SUMS || (aovs_ >> channel.sums & 1) != 0;
+}
+
 Image Film::develop(const FilmChannel& channel) const {
-    const FilmSums sums = join(planes_.at(channel.plane));
+    if (!has(channel))
+        throw InputError("the film has no {}; ask for it before rendering", channel.name);
+    const FilmSums all = join();
+    const std::span sums =
+        std::span(all).subspan(size_t(film_plane(aovs_, channel.sums)) * pixels(), pixels());
     Image image(width_, height_, channel.components);
     for (size_t i = 0; i < sums.size(); i++) {
         const float divisor = channel.develop == Develop::mean ? sums[i].s[3] : 1.0f;
@@ -134,39 +138,33 @@ Image Film::develop(const FilmChannel& channel) const {
 
 void Film::clear() {
     extent_ = {};
-    for (Plane& plane : planes_) plane.block.fill(device_, cl_float4{});
+    sums_.block.fill(device_, cl_float4{});
     splats_.fill(device_, 0u);
     invalid_.fill(device_, 0u);
 }
 
 FilmContents Film::contents() const {
-    FilmContents contents{width_, height_, extent_, {}, splats_.read(device_)};
-    for (const Plane& plane : planes_) {
-        FilmContents::Plane copy{plane.block.read(device_), {}};
-        for (size_t level = 0; level < levels(); level++)
-            copy.pending.push_back(extent_.is_pending(level) ? plane.pending[level].read(device_)
+    FilmContents contents{width_, height_, aovs_, extent_, sums_.block.read(device_), {}, {}};
+    for (size_t level = 0; level < levels(); level++)
+        contents.pending.push_back(extent_.is_pending(level) ? sums_.pending[level].read(device_)
                                                              : FilmSums());
-        contents.planes.push_back(std::move(copy));
-    }
+    contents.splats = splats_.read(device_);
     return contents;
 }
 
 void Film::restore(const FilmContents& contents) {
-    if (contents.width != width_ || contents.height != height_ ||
-        contents.planes.size() != planes_.size() || contents.splats.size() != splats_.size())
+    if (contents.width != width_ || contents.height != height_ || contents.aovs != aovs_ ||
+        contents.splats.size() != splats_.size())
         throw InputError("a film of {}x{} pixels can't go on with one of {}x{}, or of another kind",
                          width_, height_, contents.width, contents.height);
     clear();
     extent_ = contents.extent;
     splats_.write(device_, contents.splats);
-    for (size_t i = 0; i < planes_.size(); i++) {
-        const std::vector<FilmSums>& pending = contents.planes[i].pending;
-        planes_[i].block.write(device_, contents.planes[i].block);
-        while (planes_[i].pending.size() < pending.size())
-            planes_[i].pending.emplace_back(device_, pixels());
-        for (size_t level = 0; level < pending.size(); level++)
-            planes_[i].pending[level].write(device_, pending[level]);
-    }
+    sums_.block.write(device_, contents.block);
+    while (sums_.pending.size() < contents.pending.size())
+        sums_.pending.emplace_back(device_, sum_count());
+    for (size_t level = 0; level < contents.pending.size(); level++)
+        sums_.pending[level].write(device_, contents.pending[level]);
 }
 
 Film::Invalid Film::find_invalid() const {

@@ -24,22 +24,20 @@
 
 namespace onde {
 
-/// States the buffers of a film of options.samples samples for these channels.
-void plan_film(gpu::BufferList& buffers, const RenderOptions& options,
-               std::span<const FilmChannel> channels = FILM_CHANNELS);
+/// States the buffers of a film of options.samples samples with options.aovs.
+void plan_film(gpu::BufferList& buffers, const RenderOptions& options);
 
 class Film {
   public:
-    /// An empty film for these channels. It may get more samples than the options say; the buffers
+    /// An empty film with options.aovs. It may get more samples than the options say; the buffers
     /// for those are in no list. The programs outlive it.
-    Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOptions& options,
-         std::span<const FilmChannel> channels = FILM_CHANNELS);
+    Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOptions& options);
 
     /// From now on the film is what the integrator makes of these sums at the end of each pass.
     void hold_splats(const gpu::Buffer<uint32_t>& splats) { splats_ = splats; }
 
-    /// What kernels add to: the sums of the current block.
-    const gpu::Buffer<cl_float4>& sums(uint32_t plane = 0) const { return planes_[plane].block; }
+    /// What kernels add to: the sums of the current block, plane by plane.
+    const gpu::Buffer<cl_float4>& sums() const { return sums_.block; }
     const gpu::Buffer<uint32_t>& invalid() const { return invalid_; }
 
     const FilmExtent& extent() const { return extent_; }
@@ -54,15 +52,15 @@ class Film {
     /// The first `pixels` pixels have the samples of the pass.
     void end_wave(uint32_t pixels);
 
-    /// Its channels, and the picture of one: pixels without a sample are black.
-    const std::vector<FilmChannel>& channels() const { return channels_; }
+    /// Whether it has that channel, and its picture: pixels without a sample are black.
+    bool has(const FilmChannel& channel) const;
     Image develop(const FilmChannel& channel = RADIANCE) const;
 
     /// Removes its sums. Who counts beside them is in Integrator::clear().
     void clear();
     FilmContents contents() const;
-    /// Goes on from there. Throws InputError unless they are of a film of this size, with splats if
-    /// this one has them.
+    /// Goes on from there. Throws InputError unless they are of a film of this size and AOVs, with
+    /// splats if this one has them.
     void restore(const FilmContents& contents);
 
     /// Samples that were thrown away because their radiance was not finite, and the first of them.
@@ -71,25 +69,25 @@ class Film {
     };
     Invalid find_invalid() const;
 
-    /// Buffers of a float4 per pixel.
-    struct Plane {
+    /// Buffers of a float4 per pixel and plane.
+    struct Sums {
         gpu::Buffer<cl_float4> block;
         std::vector<gpu::Buffer<cl_float4>> pending; ///< by level
     };
 
   private:
     uint32_t pixels() const { return width_ * height_; }
+    uint32_t sum_count() const { return pixels() * film_planes(aovs_); }
     size_t levels() const;
     void build();
-    void carry(Plane& plane);
-    void launch(const char* kernel, const gpu::Buffer<cl_float4>& pending, const Plane& plane);
-    FilmSums join(const Plane& plane) const;
+    void carry();
+    void launch(const char* kernel, const gpu::Buffer<cl_float4>& pending);
+    FilmSums join() const;
 
     gpu::Programs& programs_;
     const gpu::Device& device_;
-    uint32_t width_, height_;
-    std::vector<FilmChannel> channels_;
-    std::vector<Plane> planes_;
+    uint32_t width_, height_, aovs_;
+    Sums sums_;
     gpu::Buffer<uint32_t> invalid_, splats_;
     FilmExtent extent_;
     std::optional<gpu::Program> program_; ///< where there are several blocks

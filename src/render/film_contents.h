@@ -1,8 +1,11 @@
 // What a film holds, as values on the host: which samples of which pixels, and their sums.
 #pragma once
 
+#include "shared/aovs.h"
+
 #include <CL/cl_platform.h>
 
+#include <bit>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -36,34 +39,47 @@ enum class Develop {
     sum,  ///< as they are
 };
 
-/// A quantity that a film has of every pixel: some components of the float4 sums of a plane.
+/// The float4 sums that radiance has; the AOVs of shared/aovs.h have others.
+inline constexpr uint32_t RADIANCE_SUMS = AOV_COUNT;
+
+/// A quantity that a film has of every pixel: some components of float4 sums.
 struct FilmChannel {
     std::string_view name; ///< for people and files
-    uint32_t plane;        ///< of the film
+    uint32_t sums;         ///< number of the AOV, or RADIANCE_SUMS
     uint32_t first, components;
     Develop develop;
 };
 
-inline constexpr FilmChannel RADIANCE{"radiance", 0, 0, 3, Develop::mean};
-inline constexpr FilmChannel SAMPLE_COUNT{"sample-count", 0, 3, 1, Develop::sum};
+inline constexpr FilmChannel RADIANCE{"radiance", RADIANCE_SUMS, 0, 3, Develop::mean};
+inline constexpr FilmChannel SAMPLE_COUNT{"sample-count", RADIANCE_SUMS, 3, 1, Develop::sum};
 
-/// Every channel that there is. A film has the planes of those that it is asked for.
-inline constexpr FilmChannel FILM_CHANNELS[] = {RADIANCE, SAMPLE_COUNT};
+/// Every channel that there is. A film has those of radiance, and the AOVs that it is asked for.
+#define ONDE_CHANNEL(NAME, name, components) {#name, AOV_##NAME, 0, components, Develop::mean},
+inline constexpr FilmChannel FILM_CHANNELS[] = {RADIANCE, SAMPLE_COUNT, AOVS(ONDE_CHANNEL)};
+#undef ONDE_CHANNEL
 
-/// Sums of every pixel, by y * width + x.
+/// That of the name, or null.
+const FilmChannel* find_channel(std::string_view name);
+
+/// Planes of a film with the AOVs of these bits, and the place of one among them.
+constexpr uint32_t film_planes(uint32_t aovs) {
+    return 1 + uint32_t(std::popcount(aovs));
+}
+constexpr uint32_t film_plane(uint32_t aovs, uint32_t sums) {
+    return sums == RADIANCE_SUMS ? 0 : 1 + uint32_t(std::popcount(aovs & ((1u << sums) - 1)));
+}
+
+/// Sums of every pixel, by (plane * height + y) * width + x: of radiance, then of each AOV.
 using FilmSums = std::vector<cl_float4>;
 
 /// Enough to go on with a film on any device.
 struct FilmContents {
-    struct Plane {
-        FilmSums block;                ///< of the block that samples are added to
-        std::vector<FilmSums> pending; ///< by level; empty where nothing is pending
-    };
-
     uint32_t width = 0, height = 0;
+    uint32_t aovs = 0; ///< bits of their numbers
     FilmExtent extent;
-    std::vector<Plane> planes;
-    std::vector<uint32_t> splats; ///< of light tracing, SPLAT_WORDS a pixel; else empty
+    FilmSums block;                ///< of the block that samples are added to
+    std::vector<FilmSums> pending; ///< by level; empty where nothing is pending
+    std::vector<uint32_t> splats;  ///< of light tracing, SPLAT_WORDS a pixel; else empty
 };
 
 } // namespace onde

@@ -79,6 +79,8 @@ FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
     frame.environment_height = scene.environment_height;
     copy(frame.environment_radiance, scene.environment_radiance);
     frame.environment_rotation = scene.environment_rotation * float(0.5 / std::numbers::pi);
+    copy(frame.ground_share, scene.ground_share);
+    frame.ground_height = scene.ground_height;
     std::ranges::copy(filter_table(options.filter), frame.filter_table);
     return frame;
 }

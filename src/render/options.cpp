@@ -1,6 +1,7 @@
 #include "render/options.h"
 
 #include "core/error.h"
+#include "shared/aovs.h"
 #include "shared/frame.h"
 #include "shared/whitted.h"
 
@@ -17,6 +18,18 @@ uint32_t most_depth(IntegratorKind integrator) {
     return integrator == IntegratorKind::whitted ? MAX_TREE_DEPTH : COUNTER_BOUNCES - 1;
 }
 
+static void check_film(const RenderOptions& options) {
+    const bool transparent = options.background == Background::transparent;
+    if (options.integrator != IntegratorKind::path && (transparent || options.aovs != 0))
+        throw InputError("--background transparent and the --aov of surfaces are for --integrator "
+                         "path, not for {}",
+                         word_of(options.integrator));
+    if (options.aovs >> AOV_COUNT)
+        throw InputError("the AOVs {:#x} have bits that are none", options.aovs);
+    if (transparent && !(options.aovs >> AOV_ALPHA & 1))
+        throw InputError("a transparent background needs the AOV alpha");
+}
+
 void check_options(const RenderOptions& options) {
     check_range("width", options.width, 1, 65535);
     check_range("height", options.height, 1, 65535);
@@ -25,6 +38,7 @@ void check_options(const RenderOptions& options) {
     const bool is_whitted = options.integrator == IntegratorKind::whitted;
     check_range(is_whitted ? "depth of --integrator whitted" : "depth", options.depth, 1,
                 most_depth(options.integrator));
+    check_film(options);
     const gpu::DeviceSettings& s = options.settings;
     if (s.width != 1 && s.width != 8 && s.width != 16)
         throw InputError("width {} of lanes is not one of 1, 8, 16", s.width);

@@ -31,6 +31,8 @@ struct RenderOptions {
     uint32_t camera = 0; ///< index into the scene's cameras
     IntegratorKind integrator = IntegratorKind::path;
     Engine engine = Engine::wavefront;
+    Background background = Background::environment; ///< transparent: aovs has alpha
+    uint32_t aovs = 0; ///< that the film has beside radiance, by the bits of shared/aovs.h
     gpu::DeviceSettings settings;
     uint32_t samples_in_flight = 16; ///< the most of one pixel in one wave; a power of two
 

@@ -17,7 +17,7 @@ class SingleLaunch : public EngineDriver {
           kernel_(program_.kernel(kernel)) {
         const uint32_t after = estimator.bind(kernel_, arguments_.bind(kernel_));
         if (!has_state) return;
-        memory_.emplace(context.buffers.paths, estimator.shape(), settings_);
+        memory_.emplace(context.buffers.paths, estimator.shape(), context.options);
         memory_->bind(kernel_, after);
     }
 

@@ -14,7 +14,7 @@ class StagedWavefront : public EngineDriver {
     StagedWavefront(const EngineContext& context, const Estimator& estimator)
         : device_(context.device()), shape_(estimator.shape()), settings_(context.options.settings),
           profiler_(context.profiler), arguments_(context),
-          memory_(context.buffers.paths, shape_, settings_),
+          memory_(context.buffers.paths, shape_, context.options),
           program_(build_engine(context, shape_, "wavefront/staged.cl", stages())) {
         for (const std::string& stage : stages()) bind(program_.kernel(stage), estimator);
     }

@@ -2,6 +2,8 @@
 
 #include "shared/columns.h"
 
+#include <bit>
+
 namespace onde {
 namespace {
 
@@ -16,15 +18,20 @@ uint32_t work_columns(const EstimatorShape& estimator) {
     return 1 + COLUMN_COUNT(HIT_COLUMNS) + estimator.connection_columns;
 }
 
+/// Radiance of every path, then the AOVs as columns.
+size_t sum_count(const RenderOptions& options, size_t stride) {
+    return options.settings.wave_size + size_t(std::popcount(options.aovs)) * stride;
+}
+
 } // namespace
 
 WaveMemory::WaveMemory(gpu::BufferList& list, const EstimatorShape& estimator,
-                       const gpu::DeviceSettings& settings)
-    : stride_(settings.wave_size + COLUMN_PADDING),
+                       const RenderOptions& options)
+    : stride_(options.settings.wave_size + COLUMN_PADDING),
       state_(list.add<float>("path states", size_t(stride_) * moved_columns(estimator))),
       work_(list.add<float>("hits and connections", size_t(stride_) * work_columns(estimator))),
-      sums_(list.add<cl_float4>("path sums", settings.wave_size)) {
-    if (settings.launch != gpu::Launch::staged) return;
+      sums_(list.add<cl_float4>("path sums", sum_count(options, stride_))) {
+    if (options.settings.launch != gpu::Launch::staged) return;
     next_state_ = list.add<float>("next path states", size_t(stride_) * moved_columns(estimator));
     queue_ = list.add<uint32_t>("queue lengths", 2);
 }

@@ -12,10 +12,10 @@ namespace onde {
 
 class WaveMemory {
   public:
-    /// For settings.wave_size paths of the estimator. Staged launches have a second copy of the
-    /// state, and a queue.
+    /// For settings.wave_size paths of the estimator, with options.aovs. Staged launches have a
+    /// second copy of the state, and a queue.
     WaveMemory(gpu::BufferList& list, const EstimatorShape& estimator,
-               const gpu::DeviceSettings& settings);
+               const RenderOptions& options);
 
     /// Binds WAVE_PARAMETERS from `first` on; returns the next index.
     uint32_t bind(gpu::Kernel& kernel, uint32_t first) const;

@@ -65,6 +65,30 @@ static void add_studio(Scene& scene, const char* reason) {
     scene.notes.push_back(fmt::format("{}: a neutral studio was added (--studio off).", reason));
 }
 
+/// Far enough below what stands on it that the two are never one plane, and near enough that nobody
+/// sees a gap.
+static void add_ground(Scene& scene) {
+    const SceneBounds bounds = scene_bounds(scene);
+    if (!(bounds.low.y <= bounds.high.y)) return;
+    const float gap = 1e-4f * glm::length(bounds.high - bounds.low);
+    scene.environment.ground = bounds.low.y - std::max(gap, 1e-6f * std::abs(bounds.low.y));
+}
+
+static void complete_light(Scene& scene, const LoadOptions& options, bool is_framed_model) {
+    if (options.studio == Studio::off || emits(scene.environment)) return;
+    if (!anything_emits(scene))
+        add_studio(scene, "Nothing in the file lights the scene");
+    else if (options.studio == Studio::on || is_framed_model)
+        add_studio(scene, "The file has no environment");
+}
+
+static void complete_ground(Scene& scene, const LoadOptions& options, bool is_framed_model) {
+    if (options.ground == GroundPlane::off) scene.environment.ground.reset();
+    const bool wanted = options.ground == GroundPlane::on ||
+                        (options.ground == GroundPlane::automatic && is_framed_model);
+    if (wanted && !scene.environment.ground) add_ground(scene);
+}
+
 void complete_scene(Scene& scene, const LoadOptions& options, bool is_model) {
     complete_lights(scene);
     const bool is_framed = scene.cameras.empty();
@@ -72,11 +96,8 @@ void complete_scene(Scene& scene, const LoadOptions& options, bool is_model) {
         scene.cameras.push_back(framing_camera(scene, framed_size(scene, options)));
         scene.notes.push_back("The file has no camera: one was added that sees the whole scene.");
     }
-    if (options.studio == Studio::off || emits(scene.environment)) return;
-    if (!anything_emits(scene))
-        add_studio(scene, "Nothing in the file lights the scene");
-    else if (options.studio == Studio::on || (is_framed && is_model))
-        add_studio(scene, "The file has no environment");
+    complete_light(scene, options, is_framed && is_model);
+    complete_ground(scene, options, is_framed && is_model);
 }
 
 } // namespace onde

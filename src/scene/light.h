@@ -59,6 +59,7 @@ struct Environment {
     glm::vec3 radiance{0.0f};
     std::optional<Image> map; ///< 3 channels
     float rotation = 0.0f;
+    std::optional<float> ground{};
 };
 
 constexpr auto fields_of(TypeTag<Environment>) {
@@ -68,7 +69,11 @@ constexpr auto fields_of(TypeTag<Environment>) {
                                 "the top row is +Y, the centre is -Z, +X to the right of it", ""},
                       field_without_key(&Environment::map, "map"),
                       field("rotation", &Environment::rotation,
-                            "counter-clockwise about +Y seen from above", {.form = Form::degrees})};
+                            "counter-clockwise about +Y seen from above", {.form = Form::degrees}),
+                      field("ground", &Environment::ground,
+                            "y of a plane that shows nothing but the shadow that the scene throws "
+                            "in this light and a faint reflection of it",
+                            {.absent = "no ground"})};
 }
 
 } // namespace onde

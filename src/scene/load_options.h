@@ -21,6 +21,14 @@ constexpr auto enum_words(Studio) {
                       EnumWord{Studio::off, "off"}};
 }
 
+/// Whether a plane under the scene takes its shadow.
+enum class GroundPlane { automatic, on, off };
+
+constexpr auto enum_words(GroundPlane) {
+    return std::array{EnumWord{GroundPlane::automatic, "auto"}, EnumWord{GroundPlane::on, "on"},
+                      EnumWord{GroundPlane::off, "off"}};
+}
+
 struct LoadOptions {
     bool strict = false;          ///< refuse what would be repaired or dropped with a note
     std::filesystem::path root{}; ///< folder that references may not leave; empty: the file's own
@@ -34,6 +42,8 @@ struct LoadOptions {
     /// automatic: for models that bring no camera, and for scenes in which nothing emits but, at
     /// most, small details in emission textures; never beside another environment.
     Studio studio = Studio::automatic;
+    /// automatic: the file's own, or for models that bring no camera.
+    GroundPlane ground = GroundPlane::automatic;
 };
 
 } // namespace onde

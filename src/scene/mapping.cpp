@@ -123,7 +123,7 @@ Sentences notes_of_raster(const Scene& scene) {
 
 } // namespace
 
-Sentences mapping_notes(const Scene& scene, IntegratorKind integrator) {
+static Sentences notes_of(const Scene& scene, IntegratorKind integrator) {
     switch (integrator) {
     case IntegratorKind::path:
         return notes_of_light_transport(scene);
@@ -139,6 +139,14 @@ Sentences mapping_notes(const Scene& scene, IntegratorKind integrator) {
         return notes_of_raster(scene);
     }
     return {};
+}
+
+Sentences mapping_notes(const Scene& scene, IntegratorKind integrator) {
+    Sentences notes = notes_of(scene, integrator);
+    if (scene.environment.ground && integrator != IntegratorKind::path)
+        notes.push_back(fmt::format("The ground is left out: --integrator {} does not know it.",
+                                    word_of(integrator)));
+    return notes;
 }
 
 } // namespace onde

@@ -30,6 +30,14 @@ constexpr auto enum_words(Filter) {
                       EnumWord{Filter::blackman_harris, "blackman-harris"}};
 }
 
+/// What is behind the scene: its environment, or nothing, with an alpha channel.
+enum class Background { environment, transparent };
+
+constexpr auto enum_words(Background) {
+    return std::array{EnumWord{Background::environment, "environment"},
+                      EnumWord{Background::transparent, "transparent"}};
+}
+
 /// Of pictures whose scene states no size, pixels.
 inline constexpr glm::uvec2 DEFAULT_FILM_SIZE{800, 600};
 
@@ -41,6 +49,7 @@ struct RenderSettings {
     std::optional<float> exposure;
     std::optional<ToneMap> tone_map;
     std::optional<IntegratorKind> integrator;
+    std::optional<Background> background;
 };
 
 /// The keys of [render]; [film] has width and height as one.
@@ -58,7 +67,12 @@ constexpr auto fields_of(TypeTag<RenderSettings>) {
         field("exposure", &S::exposure, "stops", {.range = {.low = -64, .high = 64}}),
         field("tone_map", &S::tone_map, "how bright light is shown in a `.png`",
               {.absent = "`\"neutral\"`; `\"none\"` for the chapter's integrators"}),
-        field("integrator", &S::integrator, "what is computed", {.absent = "`\"path\"`"})};
+        field("integrator", &S::integrator, "what is computed", {.absent = "`\"path\"`"}),
+        field(
+            "background", &S::background,
+            "what rays of the camera see where there is nothing; `\"transparent\"` gives pictures "
+            "an alpha channel",
+            {.absent = "`\"environment\"`"})};
 }
 
 } // namespace onde

@@ -3,6 +3,8 @@
 #include "core/error.h"
 #include "render/frame.h"
 
+#include "shared/aovs.h"
+
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -42,6 +44,23 @@ void resolve_depth(const RenderChoices& choices, const RenderSettings& own,
     options.depth = most;
 }
 
+/// A transparent background that only the scene asks for is for path tracing alone.
+void resolve_film(const RenderChoices& choices, const RenderSettings& own,
+                  ResolvedOptions& resolved) {
+    RenderOptions& options = resolved.options;
+    options.aovs = choices.aovs;
+    options.background = choices.background.value_or(own.background.value_or(options.background));
+    if (options.background != Background::transparent) return;
+    if (!choices.background && options.integrator != IntegratorKind::path) {
+        options.background = Background::environment;
+        resolved.notes.push_back(
+            fmt::format("the background is not transparent, as --integrator {} knows no alpha",
+                        word_of(options.integrator)));
+        return;
+    }
+    options.aovs |= 1u << AOV_ALPHA;
+}
+
 /// Waves are rounded up to whole chunks.
 void resolve_settings(const RenderChoices& choices, gpu::DeviceSettings& settings) {
     settings.width = choices.lanes.value_or(settings.width);
@@ -78,6 +97,7 @@ ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene
         check_screen(scene.cameras[options.camera], options.width, options.height);
     options.integrator = choices.integrator.value_or(own.integrator.value_or(options.integrator));
     resolve_depth(choices, own, resolved);
+    resolve_film(choices, own, resolved);
     options.engine = choices.engine.value_or(options.engine);
     options.settings = gpu::default_settings(facts);
     resolve_settings(choices, options.settings);

@@ -17,6 +17,8 @@ struct RenderChoices {
     std::optional<IntegratorKind> integrator;
     std::optional<Filter> filter;
     std::string camera; ///< of the scene, by name or number; empty: the first
+    std::optional<Background> background;
+    uint32_t aovs = 0; ///< of RenderOptions
     std::optional<Engine> engine;
     std::optional<gpu::Launch> launch;
     std::optional<bool> interleave;

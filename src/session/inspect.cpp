@@ -18,6 +18,7 @@ RenderOptions single_path(RenderOptions options) {
     options.settings.local_size = 1;
     options.settings.launch = gpu::Launch::fused;
     options.engine = Engine::wavefront;
+    options.aovs = 0;
     options.samples = options.samples_in_flight = 1;
     return options;
 }

@@ -9,7 +9,7 @@ FilmIdentity film_identity(const Scene& scene, const RenderOptions& options,
                            const BvhOptions& bvh) {
     return {scene_hash(scene),  options.camera,         options.width, options.height,
             options.depth,      options.roulette_start, options.seed,  options.filter,
-            options.integrator, bvh.watertight};
+            options.integrator, options.background,     options.aovs,  bvh.watertight};
 }
 
 void check_identity(const FilmIdentity& kept, const FilmIdentity& wanted) {

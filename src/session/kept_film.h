@@ -14,6 +14,8 @@ struct FilmIdentity {
     uint32_t camera, width, height, depth, roulette_start, seed;
     Filter filter;
     IntegratorKind integrator;
+    Background background;
+    uint32_t aovs;
     bool watertight;
 };
 
@@ -28,6 +30,8 @@ constexpr auto fields_of(TypeTag<FilmIdentity>) {
                       field_without_key(&I::seed, "seed"),
                       field_without_key(&I::filter, "filter"),
                       field_without_key(&I::integrator, "integrator"),
+                      field_without_key(&I::background, "background"),
+                      field_without_key(&I::aovs, "set of AOVs"),
                       field_without_key(&I::watertight, "triangle test")};
 }
 

@@ -152,6 +152,18 @@ Film& Session::film() {
     return integrator_->film();
 }
 
+Image Session::picture() {
+    const Image radiance = film().develop();
+    if (options_.render.background != Background::transparent) return radiance;
+    const Image alpha = film().develop(*find_channel("alpha"));
+    Image picture(radiance.width, radiance.height, 4);
+    for (size_t i = 0; i < alpha.pixels.size(); i++) {
+        std::copy_n(&radiance.pixels[3 * i], 3, &picture.pixels[4 * i]);
+        picture.pixels[4 * i + 3] = alpha.pixels[i];
+    }
+    return picture;
+}
+
 void Session::clear() {
     prepare();
     integrator_->clear();

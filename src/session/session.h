@@ -66,8 +66,9 @@ class Session {
     RenderOutcome render(const std::function<bool(const Progress&)>& keep_going = {});
 
     Film& film();
-    /// The film's mean radiance so far.
-    Image picture() { return film().develop(); }
+    /// The film's mean radiance so far; before a transparent background with alpha as the fourth
+    /// channel, by which the others are multiplied.
+    Image picture();
     /// Begins anew: an empty film, nothing counted.
     void clear();
     /// The film, to go on with in another session, on any device, in waves of any size.

@@ -24,6 +24,8 @@ std::vector<CommonFeatures> common_features() {
     const SceneFeatures textured{.textures = true,
                                  .normal_maps = true,
                                  .environment = true,
+                                 .culling = true,
+                                 .ground = true,
                                  .kinds = bit(MATERIAL_METALLIC_ROUGHNESS),
                                  .lights = bit(LIGHT_ENVIRONMENT),
                                  .stack_size = 64};

@@ -3,6 +3,7 @@
 #include "scene/phong.h"
 #include "upload/bvh_arrays.h"
 #include "upload/geometry.h"
+#include "upload/ground.h"
 
 #include <fmt/format.h>
 
@@ -23,6 +24,7 @@ std::vector<std::string> SceneFeatures::defines() const {
             fmt::format("ONDE_ALPHA={:d}", alpha),
             fmt::format("ONDE_CULLING={:d}", culling),
             fmt::format("ONDE_PASSING={:d}", alpha || culling),
+            fmt::format("ONDE_GROUND={:d}", ground),
             fmt::format("ONDE_KINDS={}", kinds),
             fmt::format("ONDE_LIGHTS={}", lights),
             fmt::format("ONDE_ENVIRONMENT={:d}", environment),
@@ -53,6 +55,7 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
         features.culling |= !material.double_sided;
     }
     for (const LightRecord& light : packed.lights) features.lights |= 1u << light.kind;
+    features.ground = packed.ground_share != glm::vec3(0.0f);
     features.environment = packed.environment_light != NO_INDEX;
     // Rounded up, so that scenes of similar depth share a compiled program.
     const uint32_t step = features.layout == BvhLayout::wide ? 32 : 16; // GPUs have little room
@@ -104,6 +107,8 @@ PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
     packed.environment_alias = std::move(environment.alias);
     packed.environment_width = environment.width;
     packed.environment_height = environment.height;
+    packed.ground_share = ground_share(scene);
+    packed.ground_height = scene.environment.ground.value_or(packed.ground_height);
     packed.environment_radiance = scene.environment.radiance;
     packed.environment_rotation = scene.environment.rotation;
     packed.features = find_features(scene, packed);

@@ -8,6 +8,7 @@
 #include "upload/appearance.h"
 #include "upload/lights.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct SceneFeatures {
     bool texture_transforms = false, nearest_filters = false, vertex_colors = false;
     bool alpha = false;   ///< some surface lets rays pass
     bool culling = false; ///< cameras see through the back of some surface
+    bool ground = false;  ///< a plane takes the scene's shadow
     uint32_t kinds = 0;   ///< bits by MATERIAL_...
     uint32_t lights = 0;  ///< bits by LIGHT_...
     uint32_t stack_size = 1;
@@ -47,7 +49,9 @@ struct PackedScene : SceneArrays {
     uint32_t environment_light = NO_INDEX; ///< index into the lights
     glm::vec3 environment_radiance{0.0f};  ///< scale of the map, where there is one
     float environment_rotation = 0.0f;     ///< radians
-    uint32_t environment_width = 0, environment_height = 0; ///< 0 when it is constant
+    glm::vec3 ground_share{0.0f};          ///< one over the irradiance that the ground receives
+    float ground_height = std::numeric_limits<float>::infinity(); ///< no ground: above all rays
+    uint32_t environment_width = 0, environment_height = 0;       ///< 0 when it is constant
     SceneFeatures features;
 
     /// The buffers that the scene takes on the device.

@@ -161,7 +161,7 @@ TEST_CASE("pixels that an interrupted pass did not reach have the mean of fewer 
     rig.add_placed(4);
     FilmContents interrupted = rig.film.contents();
     interrupted.extent = {0, 80, 4, 1};
-    interrupted.planes[0].block[1] = before.planes[0].block[1];
+    interrupted.block[1] = before.block[1];
     rig.film.restore(interrupted);
     CHECK(rig.film.samples() == 82);
     const Image image = rig.film.develop();
@@ -214,7 +214,7 @@ TEST_CASE("a film takes a buffer for every doubling of its blocks, and none for 
     for (const uint32_t samples : {64u, 65u, 128u, 129u, 640u}) {
         FilmRig rig(1);
         rig.add_all(std::vector<float>(samples, 1.0f));
-        CHECK(rig.film.contents().planes[0].pending.size() + 1 == buffers(samples));
+        CHECK(rig.film.contents().pending.size() + 1 == buffers(samples));
     }
 }
 

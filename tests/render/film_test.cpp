@@ -50,13 +50,10 @@ bool same_sums(const FilmSums& a, const FilmSums& b) {
 std::string difference(const FilmContents& a, const FilmContents& b) {
     if (!(a.extent == b.extent)) return "other samples";
     if (a.splats != b.splats) return "splats";
-    for (size_t i = 0; i < a.planes.size(); i++) {
-        if (!same_sums(a.planes[i].block, b.planes[i].block)) return "the block";
-        if (a.planes[i].pending.size() != b.planes[i].pending.size()) return "other levels";
-        for (size_t level = 0; level < a.planes[i].pending.size(); level++)
-            if (!same_sums(a.planes[i].pending[level], b.planes[i].pending[level]))
-                return fmt::format("level {}", level);
-    }
+    if (!same_sums(a.block, b.block)) return "the block";
+    if (a.pending.size() != b.pending.size()) return "other levels";
+    for (size_t level = 0; level < a.pending.size(); level++)
+        if (!same_sums(a.pending[level], b.pending[level])) return fmt::format("level {}", level);
     return "";
 }
 

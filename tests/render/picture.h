@@ -71,6 +71,7 @@ inline SceneFeatures all_features(const SceneFeatures& own) {
     SceneFeatures features = all_features();
     features.alpha = own.alpha;
     features.culling = own.culling;
+    features.ground = own.ground;
     features.uv_sets = own.uv_sets;
     features.texture_transforms = own.texture_transforms;
     features.nearest_filters = own.nearest_filters;

@@ -1,0 +1,78 @@
+// The ground under a scene: a plane that is not there but for the scene's shadow and reflection on
+// it. Rays that show the scene (the camera's, and those that mirrors and clear glass send on) and
+// find nothing else see the environment through the plane, less by the share of its light that the
+// scene keeps from a white, diffuse plane; and what glossy varnish reflects of the scene, but not
+// of the environment. No other ray meets the plane: it throws no light back.
+#ifndef ONDE_PATH_GROUND_H
+#define ONDE_PATH_GROUND_H
+
+#include "shade/fresnel.h"
+#include "shade/light.h"
+#include "shade/microfacet.h"
+#include "shade/passing.h"
+#include "shade/vertex.h"
+
+#ifndef ONDE_GROUND
+    #define ONDE_GROUND 0
+#endif
+
+// The density of rays that the ground has reflected: no light was sampled along them, as with 0,
+// and they do not see the environment.
+#define GROUND_PDF (-1.0f)
+
+#define GROUND_ALPHA 0.04f // of the varnish, whose microfacets are those of roughness 0.2
+#define GROUND_IOR 1.5f
+
+#if ONDE_GROUND
+
+typedef struct {
+    real3 position;
+    real3 kept;      // the share of light that the scene keeps from the plane
+    real3 direction; // of the reflection
+    real reflectance;
+    uint tested; // rays, by lane
+} Ground;
+
+INLINE mask sees_ground(SceneView view, real3 origin, real3 direction, real pdf) {
+    return (pdf == 0.0f) & (direction.y < 0.0f) & (origin.y > view.frame->ground_height);
+}
+
+INLINE real3 reflect_on_ground(real3 direction, real2 u) {
+    const real3 wo = make3(direction.x, direction.z, -direction.y); // the plane's normal is +z here
+    const real3 wi = reflect_about(wo, sample_visible_normal(wo, (real)(GROUND_ALPHA), u));
+    return make3(-wi.x, wi.z, -wi.y);
+}
+
+// Where the rays of `lanes` meet the plane. choice, u: of the light; v: of the reflection. One
+// sample of light: 0 where it is not blocked, so that plain ground has no noise.
+OUTLINED Ground ground_at(SceneView view, real3 origin, real3 direction, real choice, real2 u,
+                          real2 v, mask lanes) {
+    Ground g;
+    const real height = (real)(view.frame->ground_height);
+    const real t = choose(lanes, (height - origin.y) / direction.y, (real)(0.0f));
+    g.position = madd3(direction, t, origin);
+    g.position.y = height;
+    const real cosine = choose(lanes, -direction.y, (real)(1.0f));
+    g.direction = reflect_on_ground(
+        choose(lanes, direction, make3((real)(0.0f), (real)(-1.0f), (real)(0.0f))), v);
+    g.reflectance = fresnel_dielectric(cosine, (real)(GROUND_IOR));
+
+    const LightSample light = sample_light_of(view, INFINITE_LIGHTS, g.position, choice, u, lanes);
+    const mask lit = lanes & light.valid & (light.direction.y > 0.0f);
+    g.tested = mask_bits(lit);
+    g.kept = zero3();
+    if (!g.tested) return g;
+    mask blocked = lit & mask_from_bits(trace_occluded(view.bvh, g.position, light.direction,
+                                                       light.distance, g.tested));
+    real share = choose(blocked, light.direction.y / light.pdf, (real)(0.0f));
+    #if ONDE_ALPHA
+    share *= 1.0f - ray_transmittance(view, g.position, light.direction, light.distance,
+                                      light.direction, lanes & !lanes, blocked);
+    #endif
+    g.kept = mul3(scale3(light.radiance, share), uniform3(view.frame->ground_share));
+    return g;
+}
+
+#endif
+
+#endif

@@ -10,6 +10,7 @@
 #include "shade/lights/environment.h"
 #include "shade/lights/point.h"
 #include "shade/lights/sphere.h"
+#include "shade/lights/spot.h"
 #include "shade/lights/triangle.h"
 
 #define HAS_LIGHT(NAME) (ONDE_LIGHTS >> LIGHT_##NAME & 1u)

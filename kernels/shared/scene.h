@@ -127,6 +127,13 @@ typedef struct {
     float intensity[3];
 } PointLightRecord;
 typedef struct {
+    float position[3];
+    float back[3]; // unit, against the way it shines
+    float intensity[3];
+    float opening;   // 1 - cosine of the half angle
+    float steepness; // of the way to full intensity, by cosine
+} SpotLightRecord;
+typedef struct {
     float to_light[3]; // unit
     float irradiance[3];
 } DirectionalLightRecord;
@@ -141,6 +148,7 @@ typedef struct {
     LIGHT(SPHERE, sphere, SphereLightRecord)                                                       \
     LIGHT(DISK, disk, DiskLightRecord)                                                             \
     LIGHT(POINT, point, PointLightRecord)                                                          \
+    LIGHT(SPOT, spot, SpotLightRecord)                                                             \
     LIGHT(DIRECTIONAL, directional, DirectionalLightRecord)                                        \
     LIGHT(ENVIRONMENT, environment, EnvironmentLightRecord)
 #define LIGHT_INDEX(NAME, name, Record) LIGHT_##NAME,

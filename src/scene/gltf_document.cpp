@@ -91,6 +91,10 @@ LightSource read_light(const JsonReader& object) {
     light.type = object.require("type", object.text("type"));
     light.color = object.vector<3>("color").value_or(light.color);
     light.intensity = object.number("intensity", light.intensity);
+    if (const auto spot = object.object("spot")) {
+        light.inner_cone = spot->number("innerConeAngle", light.inner_cone);
+        light.outer_cone = spot->number("outerConeAngle", light.outer_cone);
+    }
     return light;
 }
 

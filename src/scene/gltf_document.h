@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -160,6 +161,7 @@ struct LightSource {
     std::string name, type;
     std::array<double, 3> color{1, 1, 1};
     double intensity = 1;
+    double inner_cone = 0, outer_cone = std::numbers::pi / 4; ///< radians, of a spot
 };
 
 struct SceneSource {

@@ -14,7 +14,7 @@ static constexpr std::array EXTENSIONS{
               "the first of its image and PNG or JPEG that can be read"},
     Extension{"KHR_animation_pointer", Support::ignored, "such channels do not move anything"},
     Extension{"KHR_draco_mesh_compression", Support::read},
-    Extension{"KHR_lights_punctual", Support::mapped, "a spot shines as a point"},
+    Extension{"KHR_lights_punctual", Support::read},
     Extension{"KHR_materials_anisotropy", Support::ignored},
     Extension{"KHR_materials_clearcoat", Support::ignored},
     Extension{"KHR_materials_diffuse_transmission", Support::ignored},

@@ -209,8 +209,13 @@ void NodeTraversal::add_light(uint32_t index, const glm::mat4& to_world, const s
         if (is_flat(to_world)) return;
         const glm::vec3 to_light = glm::normalize(glm::vec3(to_world[2])); // it shines along -Z
         scene_.directional_lights.push_back({to_light, intensity});
+    } else if (source.type == "spot") {
+        if (is_flat(to_world)) return;
+        SpotLight spot{glm::vec3(to_world[3]), glm::normalize(glm::vec3(to_world[2])), intensity};
+        spot.half_angle = float(std::clamp(source.outer_cone, 0.002, 0.5 * std::numbers::pi));
+        spot.inner_angle = float(std::clamp(source.inner_cone, 0.0, source.outer_cone));
+        scene_.spot_lights.push_back(spot);
     } else {
-        if (source.type == "spot") file_.notes.add("Spot lights shine as points", user);
         scene_.point_lights.push_back({glm::vec3(to_world[3]), intensity});
     }
 }

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <numbers>
 #include <optional>
 
 namespace onde {
@@ -22,6 +23,28 @@ constexpr auto fields_of(TypeTag<PointLight>) {
     return std::tuple{field("position", &PointLight::position, "", {.required = true}),
                       field("intensity", &PointLight::intensity, "W/sr",
                             {.range = NOT_NEGATIVE, .form = Form::color, .absent = FROM_CHAPTER})};
+}
+
+/// Shines into a cone: with all its intensity into an inner one, with less toward the rim.
+struct SpotLight {
+    glm::vec3 position{0.0f};
+    glm::vec3 back{0.0f, 1.0f, 0.0f};                     ///< unit, against the way it shines
+    glm::vec3 intensity{1.0f};                            ///< W/sr
+    float half_angle = 0.25f * std::numbers::pi_v<float>; ///< radians, of the cone
+    float inner_angle = 0.0f; ///< radians, half; at least half_angle: alike everywhere
+};
+
+constexpr auto fields_of(TypeTag<SpotLight>) {
+    return std::tuple{field("position", &SpotLight::position, "", {.required = true}),
+                      field("direction", &SpotLight::back, "the way it shines",
+                            {.form = Form::travel, .required = true}),
+                      field("intensity", &SpotLight::intensity, "W/sr",
+                            {.range = NOT_NEGATIVE, .form = Form::color}),
+                      field("half_angle", &SpotLight::half_angle, "of the cone",
+                            {.range = {.low = 0.1, .high = 180}, .form = Form::degrees}),
+                      field("inner_angle", &SpotLight::inner_angle,
+                            "of the cone in which it has all its intensity",
+                            {.range = {.low = 0, .high = 180}, .form = Form::degrees})};
 }
 
 struct DirectionalLight {
@@ -46,10 +69,17 @@ inline DirectionalLight placed(DirectionalLight light, const glm::mat4& transfor
     return light;
 }
 
+inline SpotLight placed(SpotLight light, const glm::mat4& transform) {
+    light.position = glm::vec3(transform * glm::vec4(light.position, 1.0f));
+    light.back = glm::normalize(glm::mat3(transform) * light.back);
+    return light;
+}
+
 /// The lists of lights without geometry, each once: LIST(Type, list, words). What goes through the
 /// lights of a scene goes by this list.
 #define LIGHT_LISTS(LIST)                                                                          \
     LIST(PointLight, point_lights, "point light")                                                  \
+    LIST(SpotLight, spot_lights, "spot light")                                                     \
     LIST(DirectionalLight, directional_lights, "directional light")
 
 /// Light from infinity: `radiance` times the equirectangular `map` if there is one.

@@ -95,6 +95,8 @@ Sentences notes_of_whitted(const Scene& scene) {
             fmt::format("{} glowing materials are seen but light nothing: only [[light]] "
                         "does",
                         glowing));
+    if (!scene.spot_lights.empty())
+        notes.push_back(fmt::format("{} spot lights were left out", scene.spot_lights.size()));
     if (scene.environment.map && !scene.chapter.whitted.ambient)
         notes.push_back("of the environment map the ambient light has its factor only");
     if (has_lens(scene)) notes.push_back("the lens was taken as a pinhole");

@@ -180,12 +180,15 @@ constexpr auto fields_of(TypeTag<MeshFile>) {
                       LoaderKey{"triangles", "`[[i, j, k], ...]`", "", ""}};
 }
 
-enum class LightType { point, directional, rectangle, disk, sphere };
+enum class LightType { point, spot, directional, rectangle, disk, sphere };
 
 constexpr auto enum_words(LightType) {
     using L = LightType;
-    return std::array{EnumWord{L::point, "point"}, EnumWord{L::directional, "directional"},
-                      EnumWord{L::rectangle, "rectangle"}, EnumWord{L::disk, "disk"},
+    return std::array{EnumWord{L::point, "point"},
+                      EnumWord{L::spot, "spot"},
+                      EnumWord{L::directional, "directional"},
+                      EnumWord{L::rectangle, "rectangle"},
+                      EnumWord{L::disk, "disk"},
                       EnumWord{L::sphere, "sphere"}};
 }
 
@@ -273,6 +276,8 @@ auto visit_keys(LightType type, const Visit& visit) {
     switch (type) {
     case LightType::point:
         return visit("", TypeTag<PointLight>{}, TypeTag<ChapterLight>{});
+    case LightType::spot:
+        return visit("", TypeTag<SpotLight>{});
     case LightType::directional:
         return visit("", TypeTag<DirectionalLight>{}, TypeTag<ChapterLight>{});
     case LightType::rectangle:

@@ -118,6 +118,20 @@ void add_point(const PointLight& light, WeightedLights& lights) {
     lights.add(record, 4 * PI * luminance(light.intensity));
 }
 
+void add_spot(const SpotLight& light, WeightedLights& lights) {
+    LightRecord record{};
+    record.kind = LIGHT_SPOT;
+    copy(record.as.spot.position, light.position);
+    copy(record.as.spot.back, light.back);
+    copy(record.as.spot.intensity, light.intensity);
+    const double outer = std::cos(double(light.half_angle));
+    const double width = std::max(std::cos(double(light.inner_angle)) - outer, 1e-3);
+    record.as.spot.opening = float(1 - outer);
+    record.as.spot.steepness = float(1 / width);
+    const double angle = 2 * PI * std::max(1 - outer - width + width / 3, width / 3);
+    lights.add(record, angle * luminance(light.intensity));
+}
+
 void add_directional(const DirectionalLight& light, double scene_radius, WeightedLights& lights) {
     LightRecord record{};
     record.kind = LIGHT_DIRECTIONAL;
@@ -144,6 +158,7 @@ LightList build_lights(const Scene& scene, FlatGeometry& flat) {
     WeightedLights lights;
     for (const EmissivePrimitive& e : flat.emissive) add_primitive(scene, flat, e, lights);
     for (const PointLight& light : scene.point_lights) add_point(light, lights);
+    for (const SpotLight& light : scene.spot_lights) add_spot(light, lights);
     const size_t local = lights.records.size();
     for (const DirectionalLight& light : scene.directional_lights)
         add_directional(light, radius, lights);

@@ -271,6 +271,7 @@ TEST_CASE("a scene may have every type of light, and each is sampled with its pr
     disk.object_to_world[3] = glm::vec4(2, -3, 1, 1);
     scene.shapes.push_back(disk);
     scene.point_lights.push_back({{0, -4, 3}, {10, 20, 30}});
+    scene.spot_lights.push_back({{0, 0, 5}, {0, 0, 1}, glm::vec3(4)});
     scene.directional_lights.push_back({{0, 0.8f, 0.6f}, {1, 2, 3}});
     scene.environment.radiance = glm::vec3(0.5f);
     SceneProbe probe(scene, {"light_sample"});
@@ -288,7 +289,8 @@ TEST_CASE("a scene may have every type of light, and each is sampled with its pr
         else
             REQUIRE(samples.valid[i] == 1);
     }
-    const double share[] = {lights[LIGHT_POINT].pmf, lights[LIGHT_DIRECTIONAL].pmf};
+    const double share[] = {lights[LIGHT_POINT].pmf + lights[LIGHT_SPOT].pmf,
+                            lights[LIGHT_DIRECTIONAL].pmf};
     for (size_t k = 0; k < 2; k++)
         CHECK(deltas[k] / COUNT == Approx(share[k]).margin(5 * 0.5 / std::sqrt(COUNT)));
 }
@@ -311,6 +313,24 @@ TEST_CASE("point lights fall off with the square of the distance, directional on
     CHECK(far.distance[0] > 1e20f);
     CHECK(far.radiance[0] == glm::vec3(1, 2, 3));
     CHECK((far.pdf[0] == 1 && far.delta[0] == 1 && far.valid[0] == 1));
+}
+
+TEST_CASE("spot lights shine as points inside their inner cone, and fade to their rim") {
+    Scene scene = scene_with_a_speck();
+    SpotLight spot{{0, 0, 0}, {0, 0, -1}, glm::vec3(8)};
+    spot.half_angle = 0.6f;
+    spot.inner_angle = 0.2f;
+    scene.spot_lights.push_back(spot);
+    SceneProbe probe(scene, {"light_sample"});
+    const auto at = [&](float angle) {
+        return sample(probe, 2.0f * glm::vec3(std::sin(angle), 0, std::cos(angle)), 16);
+    };
+    CHECK(at(0.1f).radiance[0].x == Approx(2).epsilon(1e-4));
+    const double line = (std::cos(0.4) - std::cos(0.6)) / (std::cos(0.2) - std::cos(0.6));
+    CHECK(at(0.4f).radiance[0].x == Approx(2 * line * line).epsilon(1e-3));
+    CHECK(at(0.4f).valid[0] == 1);
+    CHECK(at(0.62f).valid[0] == 0);
+    CHECK(at(3.0f).valid[0] == 0);
 }
 
 TEST_CASE("mixed lights have the same bits at every width, beside dead lanes full of poison") {

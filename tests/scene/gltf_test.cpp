@@ -356,11 +356,20 @@ TEST_CASE("punctual lights shine from their nodes, directional ones along -Z") {
     const Scene scene = load_quad(quad_gltf(
         R"([{"mesh": 0},
             {"translation": [0, 5, 0], "extensions": {"KHR_lights_punctual": {"light": 0}}},
-            {"extensions": {"KHR_lights_punctual": {"light": 1}}}])",
+            {"extensions": {"KHR_lights_punctual": {"light": 1}}},
+            {"translation": [0, 7, 0], "extensions": {"KHR_lights_punctual": {"light": 2}}}])",
         "", R"(, "extensionsUsed": ["KHR_lights_punctual"], "extensions": {"KHR_lights_punctual":
             {"lights": [{"type": "point", "color": [1, 0.5, 0], "intensity": 8},
-                        {"type": "directional", "intensity": 2}]}})",
-        "[0, 1, 2]"));
+                        {"type": "directional", "intensity": 2},
+                        {"type": "spot", "intensity": 3, "spot": {"innerConeAngle": 0.1,
+                         "outerConeAngle": 0.5}}]}})",
+        "[0, 1, 2, 3]"));
+    REQUIRE(scene.spot_lights.size() == 1);
+    CHECK(scene.spot_lights[0].position == glm::vec3(0, 7, 0));
+    CHECK(scene.spot_lights[0].back == glm::vec3(0, 0, 1));
+    CHECK(scene.spot_lights[0].intensity == glm::vec3(3));
+    CHECK(scene.spot_lights[0].inner_angle == 0.1f);
+    CHECK(scene.spot_lights[0].half_angle == 0.5f);
     REQUIRE(scene.point_lights.size() == 1);
     CHECK(scene.point_lights[0].position == glm::vec3(0, 5, 0));
     CHECK(scene.point_lights[0].intensity == glm::vec3(8, 4, 0));

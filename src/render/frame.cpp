@@ -20,6 +20,15 @@ struct Window {
     glm::vec2 corner;
 };
 
+/// Where the plane of rays' targets lies. Beyond 2^24 times what the rays start from, the lens and
+/// the way to it, a float's direction tells a plane from infinity no more, and its squares
+/// overflow.
+static float focus_distance(const Camera& camera) {
+    const glm::vec3 origin = glm::abs(glm::vec3(camera.camera_to_world[3]));
+    const float from = std::max({origin.x, origin.y, origin.z, camera.aperture_radius});
+    return std::min(camera.focus_distance, std::max(1e12f, from * float(1 << 24)));
+}
+
 static Window view_window(const Camera& camera, glm::vec2 pixels) {
     if (camera.screen) {
         const ScreenWindow& screen = *camera.screen;
@@ -28,7 +37,7 @@ static Window view_window(const Camera& camera, glm::vec2 pixels) {
         return {step, screen.distance,
                 screen.first_pixel ? *screen.first_pixel - 0.5f * step : centred};
     }
-    const float distance = camera.focus_distance;
+    const float distance = focus_distance(camera);
     const float height =
         camera.orthographic_height.value_or(2 * distance * std::tan(camera.vertical_fov / 2));
     const float narrower = camera.aspect_ratio.value_or(0) * pixels.y / pixels.x;
@@ -78,7 +87,8 @@ FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
     frame.environment_width = scene.environment_width;
     frame.environment_height = scene.environment_height;
     copy(frame.environment_radiance, scene.environment_radiance);
-    frame.environment_rotation = scene.environment_rotation * float(0.5 / std::numbers::pi);
+    const float turns = scene.environment_rotation * float(0.5 / std::numbers::pi);
+    frame.environment_rotation = std::abs(turns) > 1.0f ? turns - std::round(turns) : turns;
     copy(frame.ground_share, scene.ground_share);
     frame.ground_height = scene.ground_height;
     std::ranges::copy(filter_table(options.filter), frame.filter_table);

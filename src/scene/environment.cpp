@@ -1,4 +1,5 @@
 #include "image/image_io.h"
+#include "scene/angle.h"
 #include "scene/load.h"
 #include "scene/loaders.h"
 
@@ -26,7 +27,7 @@ Environment load_environment(const std::filesystem::path& path, glm::vec3 scale,
                              float rotation_degrees) {
     return {.radiance = scale,
             .map = as_radiance(read_image(path)),
-            .rotation = glm::radians(rotation_degrees)};
+            .rotation = radians_of(rotation_degrees)};
 }
 
 void bound_environment(Scene& scene) {

@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "core/shown.h"
 #include "scene/loaders.h"
+#include "scene/scale.h"
 
 namespace onde {
 namespace fs = std::filesystem;
@@ -28,6 +29,7 @@ Scene load_scene(const fs::path& path, const LoadOptions& options) {
     bound_environment(scene);
     try {
         check_scene(scene);
+        bring_to_scale(scene);
         complete_scene(scene, options, lower_extension(path) != ".toml");
         check_scene(scene); // a framing camera of a scene near the end of float's range
     } catch (const InputError& error) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <utility>
 
 namespace onde {
 
@@ -189,6 +190,19 @@ void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
     if (!emits(whole.environment)) whole.environment = part.environment;
     take_missing(whole.settings, part.settings);
     take_whitted(whole, part.chapter);
+}
+
+void place_anew(Scene& scene, const glm::mat4& transform) {
+    for (Instance& instance : scene.instances)
+        instance.object_to_world = transform * instance.object_to_world;
+    for (Shape& shape : scene.shapes) shape.object_to_world = transform * shape.object_to_world;
+    for (const Sphere& sphere : std::exchange(scene.spheres, {}))
+        place_sphere(scene, sphere, sphere.material, transform);
+    for_each_light_list(scene, [&](auto& lights, const auto&, const char*) {
+        for (auto& light : lights) light = placed(light, transform);
+    });
+    for (AreaLight& light : scene.chapter.area_lights) light = placed(light, transform, 0);
+    for (Camera& camera : scene.cameras) camera = placed(camera, transform);
 }
 
 void append(Scene& whole, Scene&& part, const glm::mat4& transform) {

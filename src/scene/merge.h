@@ -27,6 +27,9 @@ uint64_t placed_bytes(const Scene& part);
 /// Both of the above and the notes: all of `part` becomes part of `whole`.
 void append(Scene& whole, Scene&& part, const glm::mat4& transform = glm::mat4(1.0f));
 
+/// Places everything in the scene anew, as append() would. Intensities don't scale.
+void place_anew(Scene& scene, const glm::mat4& transform);
+
 /// Rotation and translation of a camera placed by `transform`: scale, shear and mirroring removed.
 glm::mat4 rigid_part(const glm::mat4& transform);
 

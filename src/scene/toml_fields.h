@@ -1,6 +1,7 @@
 // Reads the keys of a TOML table into the members of things by their tables of fields.
 #pragma once
 
+#include "scene/angle.h"
 #include "scene/fields.h"
 #include "scene/toml_reader.h"
 
@@ -21,7 +22,7 @@ namespace toml_detail {
 inline std::optional<float> read(const TableReader& table, std::string_view key,
                                  const FieldRules& rules, TypeTag<float>) {
     const auto value = table.number(key, rules.range);
-    return value && rules.form == Form::degrees ? glm::radians(*value) : value;
+    return value && rules.form == Form::degrees ? radians_of(*value) : value;
 }
 
 inline std::optional<uint32_t> read(const TableReader& table, std::string_view key,
@@ -69,7 +70,7 @@ inline std::optional<glm::vec3> read(const TableReader& table, std::string_view 
         if (glm::length(travel) < 1e-30) table.fail(key, "must not be zero");
         return glm::vec3(-glm::normalize(travel));
     }
-    return value && rules.form == Form::degrees ? glm::radians(*value) : value;
+    return value && rules.form == Form::degrees ? radians_of(*value) : value;
 }
 
 template <WordedEnum Enum>

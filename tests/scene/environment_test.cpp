@@ -1,6 +1,7 @@
 // Pictures as environments: what is no radiance in them.
 #include "scratch.h"
 
+#include <cmath>
 #include <limits>
 
 using namespace onde;
@@ -42,4 +43,17 @@ TEST_CASE("negative pixels and what is no number become black, without a note") 
     const Scene scene = load_under({-1, NOT_A_NUMBER, -INF, 3});
     CHECK(reds(scene) == std::vector<float>{0, 0, 0, 3});
     for (const std::string& note : scene.notes) CHECK(note.find("infinite") == std::string::npos);
+}
+
+TEST_CASE("an environment may be turned by any number of degrees") {
+    const auto rotation = [](const std::string& degrees) {
+        const ScratchFolder folder;
+        return load_scene(folder.write("a.toml", "[[shape]]\ntype = \"sphere\"\n[environment]\n"
+                                                 "radiance = 1\nrotation = " +
+                                                     degrees))
+            .environment.rotation;
+    };
+    CHECK(rotation("3600090") == Approx(1.57079633f));
+    CHECK(rotation("-3600090") == Approx(-1.57079633f));
+    CHECK(std::abs(rotation("1e38")) < 3.1416f);
 }

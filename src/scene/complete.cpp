@@ -74,11 +74,11 @@ static void add_ground(Scene& scene) {
     scene.environment.ground = bounds.low.y - std::max(gap, 1e-6f * std::abs(bounds.low.y));
 }
 
-static void complete_light(Scene& scene, const LoadOptions& options, bool is_framed_model) {
+static void complete_light(Scene& scene, const LoadOptions& options, bool is_model) {
     if (options.studio == Studio::off || emits(scene.environment)) return;
     if (!anything_emits(scene))
         add_studio(scene, "Nothing in the file lights the scene");
-    else if (options.studio == Studio::on || is_framed_model)
+    else if (options.studio == Studio::on || is_model)
         add_studio(scene, "The file has no environment");
 }
 
@@ -96,7 +96,7 @@ void complete_scene(Scene& scene, const LoadOptions& options, bool is_model) {
         scene.cameras.push_back(framing_camera(scene, framed_size(scene, options)));
         scene.notes.push_back("The file has no camera: one was added that sees the whole scene.");
     }
-    complete_light(scene, options, is_framed && is_model);
+    complete_light(scene, options, is_model);
     complete_ground(scene, options, is_framed && is_model);
 }
 

@@ -39,8 +39,8 @@ struct LoadOptions {
     std::string animation{}, scene{}, variant{};
     std::optional<Environment> environment{}; ///< replaces the file's own
     std::optional<glm::uvec2> size{}; ///< pixels of the picture to be framed, else the file's own
-    /// automatic: for models that bring no camera, and for scenes in which nothing emits but, at
-    /// most, small details in emission textures; never beside another environment.
+    /// automatic: for models (files that are not TOML), and for scenes in which nothing emits but,
+    /// at most, small details in emission textures; never beside another environment.
     Studio studio = Studio::automatic;
     /// automatic: the file's own, or for models that bring no camera.
     GroundPlane ground = GroundPlane::automatic;

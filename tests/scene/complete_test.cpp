@@ -105,7 +105,7 @@ TEST_CASE("a scene with any light of its own gets no studio") {
     }
 }
 
-TEST_CASE("a model without a camera stands in the studio, whatever else lights it") {
+TEST_CASE("a model stands in the studio, whatever else lights it and whoever looks") {
     Scene lit = one_sphere(), dark = one_sphere(), own_sky = one_sphere(),
           own_camera = one_sphere();
     for (Scene* scene : {&lit, &dark, &own_sky, &own_camera}) scene->point_lights.emplace_back();
@@ -118,9 +118,33 @@ TEST_CASE("a model without a camera stands in the studio, whatever else lights i
     CHECK(lit.environment.map);
     CHECK_FALSE(dark.environment.map);
     CHECK_FALSE(own_sky.environment.map);
-    CHECK_FALSE(own_camera.environment.map);
-    complete_scene(own_camera, {.studio = Studio::on});
     CHECK(own_camera.environment.map);
+    Scene toml = one_sphere();
+    toml.point_lights.emplace_back();
+    complete_scene(toml, {.studio = Studio::on});
+    CHECK(toml.environment.map);
+}
+
+TEST_CASE("a model without a camera stands on a ground just below it") {
+    Scene framed = one_sphere(), own_camera = one_sphere(), toml = one_sphere();
+    const float lowest = scene_bounds(framed).low.y;
+    own_camera.cameras.emplace_back();
+    complete_scene(framed, {}, true);
+    complete_scene(own_camera, {}, true);
+    complete_scene(toml);
+    REQUIRE(framed.environment.ground);
+    CHECK(*framed.environment.ground < lowest);
+    CHECK(*framed.environment.ground > lowest - 0.01f);
+    CHECK_FALSE(own_camera.environment.ground);
+    CHECK_FALSE(toml.environment.ground);
+    complete_scene(own_camera, {.ground = GroundPlane::on}, true);
+    CHECK(own_camera.environment.ground == framed.environment.ground);
+    framed.cameras.clear();
+    complete_scene(framed, {.ground = GroundPlane::off}, true);
+    CHECK_FALSE(framed.environment.ground);
+    toml.environment.ground = -7.0f; // the file's own
+    complete_scene(toml, {.ground = GroundPlane::on});
+    CHECK(toml.environment.ground == -7.0f);
 }
 
 TEST_CASE("an environment that is given replaces the file's own before a studio is added") {

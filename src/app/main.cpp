@@ -8,6 +8,7 @@
 #include "app/interrupt.h"
 #include "app/reference_command.h"
 #include "app/render_command.h"
+#include "app/thumbnail_command.h"
 #include "app/volumes_command.h"
 
 #include "core/error.h"
@@ -45,6 +46,7 @@ int main(int argc, char** argv) try {
     onde::app::add_inspect_command(root);
     onde::app::add_volumes_command(root);
     onde::app::add_gallery_command(root, interrupted);
+    onde::app::add_thumbnail_command(root, interrupted);
     onde::app::add_compare_command(root);
     onde::app::add_devices_command(root);
     onde::app::add_cache_command(root);

@@ -33,8 +33,8 @@ TEST_CASE("--version is the version and --help lists the subcommands") {
     const Folder folder;
     CHECK(output_of(folder, {"--version"}) == ONDE_VERSION "\n");
     const std::string help = output_of(folder, {"--help"});
-    for (const char* command :
-         {"render", "info", "reference", "inspect", "gallery", "compare", "devices", "cache"})
+    for (const char* command : {"render", "info", "reference", "inspect", "gallery", "thumbnail",
+                                "compare", "devices", "cache"})
         CHECK_THAT(help, Catch::Contains(std::string("\n  ") + command));
 }
 

@@ -77,7 +77,7 @@ INLINE Connection connect_light(SceneView view, Emission e, Sampler sampler) {
     if_any (e.surface) {
         const CameraLink link = camera_link(view.frame, e.position, lens);
         const real cosine = dot3(e.normal, link.direction);
-        const real3 origin = offset_origin(e.position, e.normal, (real)(0.0f));
+        const real3 origin = offset_origin(e.position, e.normal, e.lift);
         c = connect_film(view.frame, link, origin, scale3(e.shown, cosine * link.importance), pixel,
                          e.surface & link.valid & (cosine > 0.0f));
     }
@@ -99,8 +99,7 @@ OUTLINED LightVertex light_start(SceneView view, __global const LightTracingReco
     const Emission e = light_emit(view, setup, u, lanes);
     LightVertex result;
     result.connection = connect_light(view, e, sampler);
-    result.next.origin =
-        choose(e.surface, offset_origin(e.position, e.normal, (real)(0.0f)), e.position);
+    result.next.origin = choose(e.surface, offset_origin(e.position, e.normal, e.lift), e.position);
     result.next.direction = e.direction;
     result.next.emitted = e.power;
     result.next.throughput = splat3((real)(1.0f));

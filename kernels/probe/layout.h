@@ -76,6 +76,7 @@
     OFFSET(BvhInstance, world_to_object)                                                           \
     OFFSET(BvhInstance, object_to_world)                                                           \
     OFFSET(BvhInstance, root)                                                                      \
+    OFFSET(BvhInstance, scale)                                                                     \
     OFFSET(BvhInstance, unused)                                                                    \
     SIZE(FrameRecord)                                                                              \
     OFFSET(FrameRecord, origin)                                                                    \
@@ -132,6 +133,8 @@
     OFFSET(TriangleSurface, light)                                                                 \
     OFFSET(TriangleSurface, vertex)                                                                \
     OFFSET(TriangleSurface, geometric)                                                             \
+    OFFSET(TriangleSurface, plane)                                                                 \
+    OFFSET(TriangleSurface, reach)                                                                 \
     SIZE(SphereSurface)                                                                            \
     OFFSET(SphereSurface, tag)                                                                     \
     OFFSET(SphereSurface, light)                                                                   \
@@ -153,6 +156,8 @@
     OFFSET(SurfaceRecord, triangle.light)                                                          \
     OFFSET(SurfaceRecord, triangle.vertex)                                                         \
     OFFSET(SurfaceRecord, triangle.geometric)                                                      \
+    OFFSET(SurfaceRecord, triangle.plane)                                                          \
+    OFFSET(SurfaceRecord, triangle.reach)                                                          \
     OFFSET(SurfaceRecord, sphere)                                                                  \
     OFFSET(SurfaceRecord, sphere.tag)                                                              \
     OFFSET(SurfaceRecord, sphere.light)                                                            \

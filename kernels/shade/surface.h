@@ -7,6 +7,7 @@
 
 typedef struct {
     real3 position;
+    real lift;       // by which rays leave the surface
     real3 geometric; // unit, on the side that the ray came from
     real3 normal;    // shading normal on that side, unit
     UvSets uv;
@@ -20,13 +21,22 @@ typedef struct {
 #define SURFACE_FIELD(view, i, field) RECORD(view.surfaces, i, SurfaceRecord, field)
 #define SURFACE_NATURAL(view, i, field) RECORD_NATURAL(view.surfaces, i, SurfaceRecord, field)
 
-// The one offset rule for ray origins: along the geometric normal, in proportion to the largest
-// number that went into the position, about a hundred times its rounding error.
-#define ORIGIN_OFFSET 2e-5f
-INLINE real3 offset_origin(real3 position, real3 normal, real t) {
-    const real largest =
-        max_component3(make3(fabs(position.x), fabs(position.y), fabs(position.z)));
-    return madd3(normal, max_real(largest, t) * ORIGIN_OFFSET, position);
+// The one rule for ray origins: a hit is brought back to its surface, then a ray leaves it along
+// the geometric normal by what rounding may have left between the two, and what traversal rounds
+// when it looks for the surface again. Both are a few roundings of the hit's coordinates and of the
+// surface's own size, as Pharr, Jakob and Humphreys count them (Physically Based Rendering, section
+// 6.8); the length of the ray does not count, nor does the place that it came from.
+#define ROUNDINGS 32.0f
+#define ROUNDING 5.9604645e-8f // 2^-24: half of the distance from 1 to the next float
+
+INLINE real largest_component(real3 v) {
+    return max_component3(make3(fabs(v.x), fabs(v.y), fabs(v.z)));
+}
+INLINE real origin_lift(real3 position, real reach) {
+    return (largest_component(position) + reach) * (ROUNDINGS * ROUNDING);
+}
+INLINE real3 offset_origin(real3 position, real3 normal, real lift) {
+    return madd3(normal, lift, position);
 }
 
 // The same for rays whose line must not shift, as mirrors and grazing hits magnify that: moved on
@@ -37,9 +47,7 @@ typedef struct {
     real3 origin;
     real passed; // distance along the ray that is behind it
 } AdvancedOrigin;
-INLINE AdvancedOrigin advance_origin(real3 position, real3 normal, real3 d, real t) {
-    const real3 size = make3(fabs(position.x), fabs(position.y), fabs(position.z));
-    const real clear = max_real(max_component3(size), t) * ORIGIN_OFFSET;
+INLINE AdvancedOrigin advance_origin(real3 position, real3 normal, real3 d, real clear) {
     const real rise = dot3(d, normal), steepness = fabs(rise);
     AdvancedOrigin result;
     result.passed = clear / max_real(steepness, (real)(GRAZING_COSINE));
@@ -57,19 +65,65 @@ INLINE AdvancedOrigin advance_origin(real3 position, real3 normal, real3 d, real
           RECORD(view.bvh.instances, i, BvhInstance, matrix[4 * k + 1]),                           \
           RECORD(view.bvh.instances, i, BvhInstance, matrix[4 * k + 2]))
 
-// A normal of object space in the world, where the hit is on an instance (inverse transpose).
+#define INSTANCE_OFFSET(view, i, matrix)                                                           \
+    make3(RECORD(view.bvh.instances, i, BvhInstance, matrix[3]),                                   \
+          RECORD(view.bvh.instances, i, BvhInstance, matrix[7]),                                   \
+          RECORD(view.bvh.instances, i, BvhInstance, matrix[11]))
+
+#if ONDE_INSTANCES
+// Inverse transpose: its length is how much shorter distances along it are in the world.
+INLINE real3 unscaled_normal(SceneView view, natural i, real3 n) {
+    return madd3(INSTANCE_ROW(view, i, world_to_object, 2), n.z,
+                 madd3(INSTANCE_ROW(view, i, world_to_object, 1), n.y,
+                       scale3(INSTANCE_ROW(view, i, world_to_object, 0), n.x)));
+}
+
+INLINE real3 to_object_space(SceneView view, natural i, real3 world) {
+    const real3 offset = INSTANCE_OFFSET(view, i, world_to_object);
+    return make3(dot3(INSTANCE_ROW(view, i, world_to_object, 0), world) + offset.x,
+                 dot3(INSTANCE_ROW(view, i, world_to_object, 1), world) + offset.y,
+                 dot3(INSTANCE_ROW(view, i, world_to_object, 2), world) + offset.z);
+}
+#endif
+
+// A normal of object space in the world, where the hit is on an instance.
 INLINE real3 instance_normal(SceneView view, natural instance, real3 n) {
 #if ONDE_INSTANCES
     const mask placed = instance != BVH_NONE;
     if (!mask_bits(placed)) return n;
     const natural i = choose(placed, instance, (natural)(0u));
-    const real3 world = madd3(INSTANCE_ROW(view, i, world_to_object, 2), n.z,
-                              madd3(INSTANCE_ROW(view, i, world_to_object, 1), n.y,
-                                    scale3(INSTANCE_ROW(view, i, world_to_object, 0), n.x)));
-    return choose(placed, normalize3(world), n);
+    return choose(placed, normalize3(unscaled_normal(view, i, n)), n);
 #else
     return n;
 #endif
+}
+
+// A length of object space in the world, at most.
+INLINE real instance_length(SceneView view, natural instance, real length) {
+#if ONDE_INSTANCES
+    const mask placed = instance != BVH_NONE;
+    if (!mask_bits(placed)) return length;
+    const natural i = choose(placed, instance, (natural)(0u));
+    return choose(placed, length * RECORD(view.bvh.instances, i, BvhInstance, scale), length);
+#else
+    return length;
+#endif
+}
+
+// How far a point of the world lies before the plane of a triangle, along the world's normal;
+// `normal` and `plane` are the triangle's own, in object space.
+INLINE real before_plane(SceneView view, natural instance, real3 normal, real plane, real3 point) {
+    real distance = dot3(normal, point) - plane;
+#if ONDE_INSTANCES
+    const mask placed = instance != BVH_NONE;
+    if_any (placed) {
+        const natural i = choose(placed, instance, (natural)(0u));
+        const real within = dot3(normal, to_object_space(view, i, point)) - plane;
+        const real shrinks = length3(unscaled_normal(view, i, normal));
+        distance = choose(placed, within / shrinks, distance);
+    }
+#endif
+    return distance;
 }
 
 // A tangent of object space in the world, and the sign of its bitangent there: a mirror image
@@ -106,6 +160,7 @@ INLINE real slide_back(real outside, real rise) {
 // A point on a shape: where it lies in the world, and its outward normal in object space.
 typedef struct {
     real3 position, normal;
+    real reach;
 } ShapePoint;
 
 // Its normal, and how far outside p lies, both in object space.
@@ -147,20 +202,11 @@ INLINE ShapeSide shape_side(natural kind, real minor_radius, real3 p) {
     return side;
 }
 
-    #define INSTANCE_OFFSET(view, i, matrix)                                                       \
-        make3(RECORD(view.bvh.instances, i, BvhInstance, matrix[3]),                               \
-              RECORD(view.bvh.instances, i, BvhInstance, matrix[7]),                               \
-              RECORD(view.bvh.instances, i, BvhInstance, matrix[11]))
-
 // The point of the shape next to a world position on it, up to rounding, along a ray that met it.
 INLINE ShapePoint shape_point(SceneView view, natural record, natural instance, real3 world,
                               real3 direction, mask lanes) {
     const natural i = choose(lanes, instance, (natural)(0u));
-    const real3 to_object = INSTANCE_OFFSET(view, i, world_to_object);
-    real3 p;
-    p.x = dot3(INSTANCE_ROW(view, i, world_to_object, 0), world) + to_object.x;
-    p.y = dot3(INSTANCE_ROW(view, i, world_to_object, 1), world) + to_object.y;
-    p.z = dot3(INSTANCE_ROW(view, i, world_to_object, 2), world) + to_object.z;
+    real3 p = to_object_space(view, i, world);
     const natural kind = SURFACE_NATURAL(view, record, shape.shape);
     const real minor_radius = SURFACE_FIELD(view, record, shape.minor_radius);
     real3 d;
@@ -174,6 +220,8 @@ INLINE ShapePoint shape_point(SceneView view, natural record, natural instance, 
     const real3 to_world = INSTANCE_OFFSET(view, i, object_to_world);
     ShapePoint point;
     point.normal = side.normal;
+    point.reach =
+        2.0f + 1.0f / max_real(minor_radius, (real)(0.01f)); // a torus's roots are as good
     point.position.x = dot3(INSTANCE_ROW(view, i, object_to_world, 0), p) + to_world.x;
     point.position.y = dot3(INSTANCE_ROW(view, i, object_to_world, 1), p) + to_world.y;
     point.position.z = dot3(INSTANCE_ROW(view, i, object_to_world, 2), p) + to_world.z;
@@ -351,6 +399,7 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
     const Corners corners = triangle_corners(view, record, triangle);
     s.geometric = RECORD3(view.surfaces, record, SurfaceRecord, triangle.geometric);
     s.normal = s.geometric;
+    real reach = SURFACE_FIELD(view, record, triangle.reach);
     const mask curved = triangle & ((tag & SURFACE_FLAT) == 0u);
     if_any (curved) // sixteen bits would bend the others, where they are mirrors, by 3e-5
         s.normal = choose(curved, triangle_normal(view, corners, u, v), s.normal);
@@ -358,7 +407,10 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
     s.tint = triangle_tint(view, corners, u, v);
 #if ONDE_SPHERES
     const mask sphere = lanes & ((tag & SURFACE_SPHERE) != 0u);
-    if_any (sphere) s = on_sphere(view, record, direction, s, sphere);
+    if_any (sphere) {
+        s = on_sphere(view, record, direction, s, sphere);
+        reach = choose(sphere, SURFACE_FIELD(view, record, sphere.radius), reach);
+    }
 #endif
 #if ONDE_SHAPES
     const mask shape = lanes & ((tag & SURFACE_SHAPE) != 0u); // the others have no instance
@@ -368,9 +420,20 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
         s.geometric = choose(shape, point.normal, s.geometric);
         s.normal = choose(shape, point.normal, s.normal);
         s.position = choose(shape, point.position, s.position);
+        reach = choose(shape, point.reach, reach);
     }
 #endif
     const real3 geometric = instance_normal(view, hit.instance, s.geometric);
+    const real plane = SURFACE_FIELD(view, record, triangle.plane);
+    const real before = before_plane(view, hit.instance, s.geometric, plane, s.position);
+#if ONDE_SPHERES || ONDE_SHAPES
+    const real3 round_position = s.position;
+#endif
+    s.position = madd3(geometric, -before, s.position);
+#if ONDE_SPHERES || ONDE_SHAPES
+    s.position = choose(triangle, s.position, round_position);
+#endif
+    s.lift = origin_lift(s.position, instance_length(view, hit.instance, reach));
     real3 normal = instance_normal(view, hit.instance, s.normal);
     normal = mapped_normal(view, hit.instance, corners, u, v, s.material, s.uv, normal);
 

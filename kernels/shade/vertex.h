@@ -10,7 +10,7 @@ typedef struct {
     Surface surface;
     Basis basis;
     real3 wo; // local, above
-    real t;   // of the ray that came here, for the offset rule
+    real t;   // of the ray that came here
     Bsdf bsdf;
 } Vertex;
 
@@ -18,7 +18,7 @@ typedef struct {
 INLINE real3 vertex_exit(Vertex v, real3 d) {
     const real3 side = choose(dot3(d, v.surface.geometric) > 0.0f, v.surface.geometric,
                               negate3(v.surface.geometric));
-    return offset_origin(v.surface.position, side, v.t);
+    return offset_origin(v.surface.position, side, v.surface.lift);
 }
 
 // Opaque surfaces let no light through, whatever their shading normals say; glass must have

@@ -109,8 +109,9 @@ typedef struct {
 typedef struct {
     float world_to_object[12];
     float object_to_world[12];
-    uint root; // child word of the instanced tree's root
-    uint unused[7];
+    uint root;   // child word of the instanced tree's root
+    float scale; // by which a length of object space grows at most in the world
+    uint unused[6];
 } BvhInstance;
 
 // The buffers of a tree, each once: BUFFER(Type, name, "name for people"). From this list come the

@@ -76,7 +76,7 @@ typedef struct {
     float uv[2];
 } VertexRecord;
 
-// 32 bytes, one per primitive. `light`: index into the lights, NO_INDEX, or LIGHT_UNLISTED.
+// 40 bytes, one per primitive. `light`: index into the lights, NO_INDEX, or LIGHT_UNLISTED.
 typedef struct {
     uint tag, light;
 } AnySurface;
@@ -84,18 +84,20 @@ typedef struct {
     uint tag, light;
     uint vertex[3];     // indices of VertexRecords
     float geometric[3]; // unit normal in object space
+    float plane;        // dot product of that normal with the triangle's points
+    float reach;        // the length whose rounding bounds that of a hit's distance to the plane
 } TriangleSurface;
 typedef struct {
     uint tag, light;
     float center[3]; // in the world
     float radius;
-    uint unused[2];
+    uint unused[4];
 } SphereSurface;
 typedef struct {
     uint tag, light;
     uint shape; // SHAPE_...
     float minor_radius;
-    uint unused[4];
+    uint unused[6];
 } ShapeSurface;
 typedef union {
     AnySurface any;

@@ -1,5 +1,7 @@
 #include "accel/records.h"
 
+#include <cmath>
+
 namespace onde::accel {
 
 namespace {
@@ -39,6 +41,9 @@ BvhInstance make_instance(const Placement& placement, uint32_t root) {
     store_rows(glm::mat4(glm::inverse(glm::dmat4(placement.object_to_world))),
                instance.world_to_object);
     instance.root = root;
+    const glm::mat3 linear(placement.object_to_world);
+    instance.scale = std::sqrt(glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) +
+                               glm::dot(linear[2], linear[2]));
     return instance;
 }
 

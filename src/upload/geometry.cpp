@@ -23,6 +23,29 @@ glm::vec3 unit_or(glm::vec3 v, glm::vec3 fallback) {
     return length > 0.0f && std::isfinite(length) ? v / length : fallback;
 }
 
+/// Where a triangle lies, see TriangleSurface.
+struct TrianglePlane {
+    glm::vec3 normal;
+    float offset, reach;
+};
+
+/// Corners and edges are rounded, and traversal computes the normal from the edges: of a narrow
+/// triangle it is off by the edges' length over the triangle's height.
+TrianglePlane triangle_plane(const glm::vec3 (&p)[3], float orientation) {
+    constexpr double MOST_NARROW = 64.0; // narrower ones are hardly hit
+    const glm::dvec3 a(p[0]), b(p[1]), c(p[2]);
+    const glm::dvec3 across = glm::cross(b - a, c - a) * double(orientation);
+    const double area2 = glm::length(across);
+    TrianglePlane plane{glm::vec3(0, 0, 1), 0.0f, 0.0f};
+    if (area2 > 0.0 && std::isfinite(area2)) plane.normal = glm::vec3(across / area2);
+    plane.offset = float(glm::dot(glm::dvec3(plane.normal), (a + b + c) / 3.0));
+    const double edge = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+    const double narrow = area2 > 0.0 ? std::min(edge * edge / area2, MOST_NARROW) : MOST_NARROW;
+    const glm::vec3 far = glm::max(glm::max(glm::abs(p[0]), glm::abs(p[1])), glm::abs(p[2]));
+    plane.reach = float(double(std::max({far.x, far.y, far.z})) + edge * narrow);
+    return plane;
+}
+
 bool emits(const Material& material) {
     return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
 }
@@ -185,13 +208,15 @@ class MeshWriter {
         const glm::uvec3 corners = mesh.triangles[triangle];
         glm::vec3 p[3];
         for (uint32_t k = 0; k < 3; k++) p[k] = positions_[first_ + corners[k]];
-        const glm::vec3 geometric =
-            unit_or(glm::cross(p[1] - p[0], p[2] - p[0]) * orientation_, glm::vec3(0, 0, 1));
+        const TrianglePlane plane = triangle_plane(p, orientation_);
+        const glm::vec3 geometric = plane.normal;
         const uint32_t material = mesh.materials[triangle];
         const auto primitive = uint32_t(flat_.surfaces.size());
         TriangleSurface surface{};
         surface.light = NO_INDEX;
         copy(surface.geometric, geometric);
+        surface.plane = plane.offset;
+        surface.reach = plane.reach;
         bool flat = true;
         if (has_vertices(mesh)) {
             const uint32_t normal = encode_octahedral(geometric);

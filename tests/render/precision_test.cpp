@@ -1,7 +1,7 @@
 // The same scene in other coordinates: far away, huge, tiny, seen from afar, turned often.
 #include "render/picture.h"
 
-#include "image/compare.h"
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
 
@@ -22,6 +22,73 @@ double difference(const Image& a, const Image& b) {
     double sum = 0;
     for (size_t i = 0; i < a.pixels.size(); i++) sum += std::pow(a.pixels[i] - b.pixels[i], 2.0);
     return std::sqrt(sum / double(a.pixels.size()));
+}
+
+/// A sphere of flat triangles, whose rows at the poles are narrow ones.
+Mesh faceted_ball(uint32_t columns, uint32_t rows) {
+    Mesh mesh;
+    const double pi = std::acos(-1.0);
+    for (uint32_t j = 0; j <= rows; j++)
+        for (uint32_t i = 0; i < columns; i++) {
+            const double up = pi * j / rows, around = 2 * pi * i / columns;
+            mesh.positions.emplace_back(std::sin(up) * std::cos(around), std::cos(up),
+                                        std::sin(up) * std::sin(around));
+        }
+    for (uint32_t j = 0; j < rows; j++)
+        for (uint32_t i = 0; i < columns; i++) {
+            const uint32_t a = j * columns + i, b = j * columns + (i + 1) % columns;
+            mesh.triangles.emplace_back(a, b, a + columns);
+            mesh.triangles.emplace_back(b, b + columns, a + columns);
+        }
+    mesh.materials.assign(mesh.triangles.size(), 0);
+    return mesh;
+}
+
+/// Convex mirrors that reflect a half, in a white world: every pixel is 1 or a half, and a quarter
+/// where a ray meets again the surface that it has just left.
+Scene mirrors() {
+    Scene scene;
+    Material mirror;
+    mirror.kind = MaterialKind::conductor;
+    mirror.base_color = glm::vec3(0.5f);
+    mirror.roughness = 0;
+    scene.materials = {mirror};
+    scene.environment.radiance = glm::vec3(1);
+    return scene;
+}
+
+/// Stretched, turned and moved away from the origin.
+glm::mat4 placement(glm::vec3 at, glm::vec3 scale) {
+    glm::mat4 m = glm::translate(glm::mat4(1), at);
+    m = glm::rotate(m, 0.7f, glm::normalize(glm::vec3(1, 2, -0.5f)));
+    return glm::scale(m, scale);
+}
+
+/// Sees a ball of radius 1.5 about `at` from that far away.
+Camera watching(glm::vec3 at, float distance, bool parallel) {
+    const glm::vec3 from = at + distance * glm::normalize(glm::vec3(0.5f, 0.6f, 0.8f));
+    Camera camera = camera_at(from, at, 2 * std::atan(1.5f / distance));
+    if (parallel) camera.orthographic_height = 3.0f;
+    return camera;
+}
+
+void check_no_ray_meets_its_origin(Scene scene, glm::vec3 at) {
+    const RenderOptions options = small_options(48, 48, 4);
+    for (const float distance : {4.0f, 4000.0f})
+        for (const bool parallel : {false, true}) {
+            scene.cameras = {watching(at, distance, parallel)};
+            const Image image = render_scene(scene, options).image;
+            size_t dark = 0, seen = 0;
+            for (const float value : image.pixels) {
+                dark += value < 0.4999f;
+                seen += value < 0.75f;
+            }
+            // Where far origins of their own are rounded, a few rays slip between two edges.
+            const size_t most = parallel && distance > 1000 ? image.pixels.size() / 400 : 0;
+            INFO((parallel ? "parallel" : "central") << " rays from " << distance);
+            CHECK(dark <= most);
+            CHECK(seen > 600);
+        }
 }
 
 } // namespace
@@ -45,6 +112,38 @@ TEST_CASE("a scene of a billion kilometres looks as one of a metre") {
     CHECK(difference(small, picture_of(huge)) < 1e-3);
     REQUIRE_FALSE(huge.notes.empty());
     CHECK(huge.notes[0].find("too large") != std::string::npos);
+}
+
+TEST_CASE("parallel rays from afar show the contact shadows that near ones do") {
+    const Image near = picture_of(loaded("camfar-ortho-10.toml"));
+    CHECK(difference(near, picture_of(loaded("camfar-ortho-1e4.toml"))) < 0.02);
+}
+
+TEST_CASE("no ray meets the surface that it has just left") {
+    const glm::vec3 at(700, -90, 320);
+    SECTION("triangles in the world") {
+        Scene scene = mirrors();
+        scene.meshes = {faceted_ball(24, 12)};
+        scene.instances = {{0, placement(at, {1, 0.3f, 1.4f})}};
+        check_no_ray_meets_its_origin(scene, at);
+    }
+    SECTION("triangles of instances") {
+        Scene scene = mirrors();
+        scene.meshes = {faceted_ball(48, 24)};
+        scene.instances = {{0, placement(at, {1, 0.3f, 1.4f})}, {0, placement(-at, {1, 1, 1})}};
+        check_no_ray_meets_its_origin(scene, at);
+    }
+    SECTION("spheres") {
+        Scene scene = mirrors();
+        scene.spheres = {{at, 1.2f, 0}};
+        check_no_ray_meets_its_origin(scene, at);
+    }
+    for (const ShapeKind kind : {ShapeKind::sphere, ShapeKind::cylinder, ShapeKind::cone})
+        SECTION(std::string(word_of(kind))) {
+            Scene scene = mirrors();
+            scene.shapes = {{kind, 0, 0.25f, placement(at, {1, 0.6f, 0.9f})}};
+            check_no_ray_meets_its_origin(scene, at);
+        }
 }
 
 TEST_CASE("an environment that is turned all the way round is where it was") {

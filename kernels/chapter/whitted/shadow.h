@@ -23,6 +23,9 @@ INLINE float scalar_opacity(SceneView view, Hit hit, float3 direction) {
 }
 #endif
 
+// A ray goes on behind what it has passed by this share of the largest number that went into it.
+#define PASSED_SHARE 2e-5f
+
 // The product of the transmissions along one ray.
 OUTLINED float source_transmittance(SceneView view, __global const PhongRecord* phong,
                                     float3 origin, float3 direction, float distance) {
@@ -40,7 +43,7 @@ OUTLINED float source_transmittance(SceneView view, __global const PhongRecord* 
 #endif
         transmittance *= through;
         if (!(transmittance > 0.0f)) return 0.0f;
-        passed = hit.t + ORIGIN_OFFSET * max_fast(largest, hit.t);
+        passed = hit.t + PASSED_SHARE * max_fast(largest, hit.t);
         if (!(passed < distance)) return transmittance;
     }
 }

@@ -119,7 +119,7 @@ INLINE real3 mirror_direction(WhittedVertex v) {
 
 // Where a ray in direction d leaves the vertex.
 INLINE AdvancedOrigin whitted_exit(WhittedVertex v, real3 d) {
-    return advance_origin(v.surface.position, v.surface.geometric, d, v.t);
+    return advance_origin(v.surface.position, v.surface.geometric, d, v.surface.lift);
 }
 
 // max(r.v, 0)^e, with r the mirror image of the direction to the sample; cosine: n.l. As r and v

@@ -40,6 +40,7 @@ INLINE Emission flat_emit(SceneView view, FlatLight f, real2 b, UvSets uv, real 
     Emission e = no_emission();
     e.position = madd3(f.edge2, b.y, madd3(f.edge1, b.x, f.origin));
     e.normal = scale3(normalize3(cross3(f.edge1, f.edge2)), f.orientation);
+    e.lift = origin_lift(e.position, largest_component(f.edge1) + largest_component(f.edge2));
     const real3 radiance = scale3(material_emission(view, f.material, uv), opacity);
     return emit_from_face(view, f.material, e, radiance, f.area, pmf, u);
 }

@@ -26,6 +26,7 @@ typedef struct {
 typedef struct {
     real3 position;
     real3 normal;    // of the face that emits, where `surface`
+    real lift;       // likewise; see Surface
     real3 direction; // of the ray that leaves, unit
     real3 power;     // of that ray
     real3 shown;     // to the camera: radiance over the density of the point, or of the direction
@@ -66,6 +67,7 @@ OVERLOAD Emission choose(mask m, Emission a, Emission b) {
     Emission e;
     e.position = choose(m, a.position, b.position);
     e.normal = choose(m, a.normal, b.normal);
+    e.lift = choose(m, a.lift, b.lift);
     e.direction = choose(m, a.direction, b.direction);
     e.power = choose(m, a.power, b.power);
     e.shown = choose(m, a.shown, b.shown);
@@ -85,6 +87,7 @@ INLINE LightSample no_light_sample(void) {
 INLINE Emission no_emission(void) {
     Emission e;
     e.position = e.normal = e.direction = e.power = e.shown = zero3();
+    e.lift = (real)(0.0f);
     e.surface = e.infinite = (mask)(0);
     return e;
 }

@@ -45,6 +45,7 @@ INLINE Emission sphere_light_emit(SceneView view, __global const LightTracingRec
     Emission e = no_emission();
     e.normal = sample_sphere(u.point);
     e.position = madd3(e.normal, radius, LIGHT_FIELD3(view, light, sphere.center));
+    e.lift = origin_lift(e.position, radius);
     return emit_from_face(view, material, e, radiance, radius * radius * (4.0f * PI), pmf, u);
 }
 

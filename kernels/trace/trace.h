@@ -45,35 +45,53 @@ INLINE float3 spilled_direction(const SpilledRays* rays, uint k) {
     return (float3)(rays->direction_x[k], rays->direction_y[k], rays->direction_z[k]);
 }
 
+// And what it finds.
+typedef struct {
+    float t[ONDE_WIDTH], u[ONDE_WIDTH], v[ONDE_WIDTH];
+    float primitive[ONDE_WIDTH], instance[ONDE_WIDTH]; // their bits
+} SpilledHits;
+
+INLINE void spill_hits(SpilledHits* spilled, Hits hits) {
+    spill_real(spilled->t, hits.t);
+    spill_real(spilled->u, hits.u);
+    spill_real(spilled->v, hits.v);
+    spill_real(spilled->primitive, as_real(hits.primitive));
+    spill_real(spilled->instance, as_real(hits.instance));
+}
+INLINE void set_spilled_hit(SpilledHits* spilled, uint k, Hit hit) {
+    spilled->t[k] = hit.t;
+    spilled->u[k] = hit.u;
+    spilled->v[k] = hit.v;
+    spilled->primitive[k] = as_float(hit.primitive);
+    spilled->instance[k] = as_float(hit.instance);
+}
+INLINE Hits unspill_hits(const SpilledHits* spilled) {
+    Hits hits;
+    hits.t = unspill_real(spilled->t);
+    hits.u = unspill_real(spilled->u);
+    hits.v = unspill_real(spilled->v);
+    hits.primitive = as_natural(unspill_real(spilled->primitive));
+    hits.instance = as_natural(unspill_real(spilled->instance));
+    return hits;
+}
+
 // Closest hits of the lanes in `bits`; the other lanes miss.
 INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits) {
     SpilledRays rays;
     spill_rays(&rays, origin, direction);
-    float t[ONDE_WIDTH], u[ONDE_WIDTH], v[ONDE_WIDTH];
-    float primitive[ONDE_WIDTH], instance[ONDE_WIDTH];
-    const real nothing = as_real((natural)(BVH_NONE));
-    spill_real(t, (real)(RAY_INFINITY));
-    spill_real(u, (real)(0.0f));
-    spill_real(v, (real)(0.0f));
-    spill_real(primitive, nothing);
-    spill_real(instance, nothing);
+    SpilledHits hits;
+    Hits nothing;
+    nothing.t = (real)(RAY_INFINITY);
+    nothing.u = nothing.v = (real)(0.0f);
+    nothing.primitive = nothing.instance = (natural)(BVH_NONE);
+    spill_hits(&hits, nothing);
     for (; bits; bits &= bits - 1) {
         const uint k = lowest_bit(bits);
         const Hit hit = bvh_closest(bvh, spilled_origin(&rays, k), 0.0f,
                                     spilled_direction(&rays, k), RAY_INFINITY);
-        t[k] = hit.t;
-        u[k] = hit.u;
-        v[k] = hit.v;
-        primitive[k] = as_float(hit.primitive);
-        instance[k] = as_float(hit.instance);
+        set_spilled_hit(&hits, k, hit);
     }
-    Hits hits;
-    hits.t = unspill_real(t);
-    hits.u = unspill_real(u);
-    hits.v = unspill_real(v);
-    hits.primitive = as_natural(unspill_real(primitive));
-    hits.instance = as_natural(unspill_real(instance));
-    return hits;
+    return unspill_hits(&hits);
 }
 
 #if ONDE_PASSING
@@ -83,31 +101,19 @@ INLINE Hits trace_behind(BvhView bvh, real3 origin, real3 direction, real t_max,
                          uint bits) {
     SpilledRays rays;
     spill_rays(&rays, origin, direction);
-    float t[ONDE_WIDTH], u[ONDE_WIDTH], v[ONDE_WIDTH], end[ONDE_WIDTH];
-    float primitive[ONDE_WIDTH], instance[ONDE_WIDTH];
-    spill_real(t, hits.t);
-    spill_real(u, hits.u);
-    spill_real(v, hits.v);
+    SpilledHits behind;
+    float end[ONDE_WIDTH];
+    spill_hits(&behind, hits);
     spill_real(end, t_max);
-    spill_real(primitive, as_real(hits.primitive));
-    spill_real(instance, as_real(hits.instance));
     for (; bits; bits &= bits - 1) {
         const uint k = lowest_bit(bits);
-        const PassedHit passed = {t[k], as_uint(primitive[k]), as_uint(instance[k])};
+        const PassedHit passed = {behind.t[k], as_uint(behind.primitive[k]),
+                                  as_uint(behind.instance[k])};
         const Hit hit = bvh_closest_behind(bvh, spilled_origin(&rays, k),
                                            spilled_direction(&rays, k), end[k], passed);
-        t[k] = hit.t;
-        u[k] = hit.u;
-        v[k] = hit.v;
-        primitive[k] = as_float(hit.primitive);
-        instance[k] = as_float(hit.instance);
+        set_spilled_hit(&behind, k, hit);
     }
-    hits.t = unspill_real(t);
-    hits.u = unspill_real(u);
-    hits.v = unspill_real(v);
-    hits.primitive = as_natural(unspill_real(primitive));
-    hits.instance = as_natural(unspill_real(instance));
-    return hits;
+    return unspill_hits(&behind);
 }
 #endif
 

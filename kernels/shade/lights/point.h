@@ -4,9 +4,9 @@
 
 #include "shade/lights/light_type.h"
 
-INLINE LightSample point_light_sample(SceneView view, natural light, real3 from, real2 u) {
-    const real3 to = sub3(LIGHT_FIELD3(view, light, point.position), from);
-    const real3 intensity = LIGHT_FIELD3(view, light, point.intensity);
+// From `from` to a point that shines with `intensity`.
+INLINE LightSample sample_point(real3 position, real3 intensity, real3 from) {
+    const real3 to = sub3(position, from);
     const real distance2 = max_real(dot3(to, to), (real)(1e-30f));
     LightSample s = no_light_sample();
     s.distance = sqrt(distance2);
@@ -14,6 +14,11 @@ INLINE LightSample point_light_sample(SceneView view, natural light, real3 from,
     s.radiance = scale3(intensity, 1.0f / distance2);
     s.delta = s.valid = s.distance > 0.0f;
     return s;
+}
+
+INLINE LightSample point_light_sample(SceneView view, natural light, real3 from, real2 u) {
+    return sample_point(LIGHT_FIELD3(view, light, point.position),
+                        LIGHT_FIELD3(view, light, point.intensity), from);
 }
 INLINE real point_light_pdf(SceneView view, natural light, real3 from, real3 direction, real t,
                             Surface s) {

@@ -2,7 +2,7 @@
 #ifndef ONDE_SHADE_LIGHTS_SPOT_H
 #define ONDE_SHADE_LIGHTS_SPOT_H
 
-#include "shade/lights/light_type.h"
+#include "shade/lights/point.h"
 
 // The share of its intensity in directions of that cosine to its axis: the square of a line from
 // the rim, as KHR_lights_punctual advises.
@@ -13,15 +13,11 @@ INLINE real spot_share(SceneView view, natural light, real cosine) {
 }
 
 INLINE LightSample spot_light_sample(SceneView view, natural light, real3 from, real2 u) {
-    const real3 to = sub3(LIGHT_FIELD3(view, light, spot.position), from);
-    const real distance2 = max_real(dot3(to, to), (real)(1e-30f));
-    LightSample s = no_light_sample();
-    s.distance = sqrt(distance2);
-    s.direction = scale3(to, 1.0f / s.distance);
+    LightSample s = sample_point(LIGHT_FIELD3(view, light, spot.position),
+                                 LIGHT_FIELD3(view, light, spot.intensity), from);
     const real share =
         spot_share(view, light, dot3(LIGHT_FIELD3(view, light, spot.back), s.direction));
-    s.radiance = scale3(LIGHT_FIELD3(view, light, spot.intensity), share / distance2);
-    s.delta = s.distance > 0.0f;
+    s.radiance = scale3(s.radiance, share);
     s.valid = share > 0.0f;
     return s;
 }

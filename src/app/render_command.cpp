@@ -4,6 +4,7 @@
 #include "app/progress_line.h"
 #include "app/render_report.h"
 #include "app/render_request.h"
+#include "app/turntable.h"
 
 #include "core/files.h"
 #include "core/log.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace onde::app {
 namespace {
@@ -98,11 +100,13 @@ void write_all(const std::vector<std::filesystem::path>& paths, Outputs& outputs
                           *find_channel(aov), metadata);
 }
 
-RenderOutcome render_until_done(Session& session, const StopOnInterrupt& interrupt, bool quiet) {
+RenderOutcome render_until_done(Session& session, RenderReport& report,
+                                const StopOnInterrupt& interrupt, bool quiet) {
     const gpu::BuildReport& kernels = session.prepare();
-    spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", session.options().width,
-                 session.options().height, session.device().facts().name,
-                 kernels.from_cache ? "loaded" : "compiled", kernels.seconds);
+    if (std::exchange(report.kernel_seconds, kernels.seconds) != kernels.seconds)
+        spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", session.options().width,
+                     session.options().height, session.device().facts().name,
+                     kernels.from_cache ? "loaded" : "compiled", kernels.seconds);
     ProgressLine line(quiet);
     const RenderOutcome outcome = session.render([&](const Progress& progress) {
         line.show(progress);
@@ -132,23 +136,11 @@ std::FILE* stream_for_words(const RenderRequest& request) {
     return taken ? stderr : stdout;
 }
 
-/// Renders one request; returns whether it was interrupted.
-bool run(const RenderRequest& request) {
-    set_up_logging(request.quiet);
-    const Timer total;
-    RenderReport report{.scene = request.scene.string()};
-    check_request(request);
-    const auto paths = resolve_outputs(request);
-    const bool timed = request.stats || !request.json.empty();
-    Machine machine =
-        open_machine(request.machine, timed ? gpu::Profiling::on : gpu::Profiling::off);
-    const Timer loading;
-    Scene scene = load_requested_scene(request);
-    report.load_seconds = loading.seconds();
-    Session session = open_session(machine, std::move(scene), request);
-    report.scene_hash = scene_hash(session.scene());
-    const StopOnInterrupt interrupt; // what is rendered is saved, while it is written too
-    report.outcome = render_until_done(session, interrupt, request.quiet);
+/// Renders what the session shows now, and writes it; returns whether it was interrupted.
+bool make_picture(Session& session, const RenderRequest& request,
+                  const std::vector<std::filesystem::path>& paths, RenderReport& report,
+                  const Timer& total, const StopOnInterrupt& interrupt) {
+    report.outcome = render_until_done(session, report, interrupt, request.quiet);
     tell_findings(session, report.outcome);
     if (report.outcome.samples == 0) return true;
 
@@ -162,6 +154,32 @@ bool run(const RenderRequest& request) {
         outputs.attempt([&] { write_report(session, report, request.json); });
     outputs.check();
     return report.outcome.interrupted;
+}
+
+/// Renders one request; returns whether it was interrupted.
+bool run(const RenderRequest& request) {
+    set_up_logging(request.quiet);
+    const Timer total;
+    RenderReport report{.scene = request.scene.string()};
+    check_request(request);
+    const auto pictures = resolve_pictures(request);
+    const bool timed = request.stats || !request.json.empty();
+    Machine machine =
+        open_machine(request.machine, timed ? gpu::Profiling::on : gpu::Profiling::off);
+    const Timer loading;
+    Scene scene = load_requested_scene(request);
+    report.load_seconds = loading.seconds();
+    Session session = open_session(machine, std::move(scene), request);
+    report.scene_hash = scene_hash(session.scene());
+    const StopOnInterrupt interrupt; // what is rendered is saved, while it is written too
+    const Camera camera = session.camera();
+    const SceneBounds bounds = scene_bounds(session.scene());
+    for (size_t i = 0; i < pictures.size(); ++i) {
+        const double share = double(i) / double(pictures.size());
+        if (i > 0) session.set_camera(turned_camera(camera, bounds, 2 * M_PI * share));
+        if (make_picture(session, request, pictures[i], report, total, interrupt)) return true;
+    }
+    return false;
 }
 
 } // namespace

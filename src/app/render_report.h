@@ -13,6 +13,7 @@ namespace onde::app {
 struct RenderReport {
     std::string scene{}, scene_hash{};
     double load_seconds = 0, write_seconds = 0, total_seconds = 0;
+    double kernel_seconds = -1; ///< of the kernels that were told, so that they are told once
     RenderOutcome outcome{};
 };
 

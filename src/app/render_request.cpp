@@ -1,5 +1,7 @@
 #include "app/render_request.h"
 
+#include "app/turntable.h"
+
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
@@ -106,6 +108,13 @@ void declare_engine(Command& command, RenderRequest& r) {
     command.option("--chunk", &r.choices.chunk, "Paths of one work item", {.value = "N"});
 }
 
+void declare_turntable(Command& command, RenderRequest& r) {
+    command.option("--turntable", &r.turntable,
+                   "Render N pictures of the camera around the vertical axis of the scene,\n"
+                   "OUTPUT.0001.png and on",
+                   {.value = "N", .least = 1, .most = MOST_TURNTABLE_PICTURES});
+}
+
 void declare_reports(Command& command, RenderRequest& r) {
     command.flag("--stats", r.stats, "Print times, rays, memory and kernel times");
     command.option("--json", &r.json,
@@ -144,6 +153,7 @@ void declare_options(Command& command, RenderRequest& request) {
     declare_view(command, request);
     declare_load(command, request.load);
     declare_picture(command, request);
+    declare_turntable(command, request);
     declare_estimator(command, request);
     declare_engine(command, request);
     declare_machine(command, request.machine);
@@ -246,6 +256,24 @@ std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request)
     if (!request.json.empty()) all.push_back(request.json);
     check_outputs(all);
     return outputs;
+}
+
+std::vector<std::vector<fs::path>> resolve_pictures(const RenderRequest& request) {
+    if (!request.turntable) return {resolve_outputs(request)};
+    if (std::ranges::any_of(request.outputs, is_standard_output) || !request.json.empty())
+        throw InputError(
+            "--turntable writes numbered pictures; name a file with -o, without --json");
+    RenderRequest one = request;
+    if (one.outputs.empty()) one.outputs.push_back(request.scene.stem().string() + ".png");
+    const std::vector<fs::path> outputs = one.outputs;
+    resolve_outputs(one);
+    std::vector<std::vector<fs::path>> pictures;
+    for (uint32_t number = 1; number <= *request.turntable; ++number) {
+        one.outputs.clear();
+        for (const fs::path& path : outputs) one.outputs.push_back(numbered_path(path, number));
+        pictures.push_back(resolve_outputs(one));
+    }
+    return pictures;
 }
 
 } // namespace onde::app

@@ -43,6 +43,7 @@ struct RenderRequest {
     GroundPlane ground = GroundPlane::automatic;
     bool full_float = false;
     std::filesystem::path json;
+    std::optional<uint32_t> turntable; ///< pictures of a turn, from 1 on
     bool stats = false, quiet = false;
 };
 
@@ -83,5 +84,8 @@ bool is_exr(const std::filesystem::path& output);
 /// The outputs, or SCENE's name with .png in the current folder when none was given; each must be
 /// .png or .exr, or standard output, be writable, and be there once. Throws InputError.
 std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request);
+
+/// The same for each picture of the turntable, or for the one picture without.
+std::vector<std::vector<std::filesystem::path>> resolve_pictures(const RenderRequest& request);
 
 } // namespace onde::app

@@ -66,7 +66,7 @@ void furnish(const Folder& folder) {
         "look_at = [0, 0, 0]\n";
     folder.write("screen.toml", ball + "screen = { size = [4, 2], distance = 3 }\n");
     folder.write("tiny.toml", "[[shape]]\ntype = \"mesh\"\ntriangles = [[0, 1, 2]]\n"
-                              "positions = [[1e-30, 0, 0], [0, 1e-30, 0], [0, 0, 1e-30]]\n");
+                              "positions = [[1e-8, 0, 0], [0, 1e-8, 0], [0, 0, 1e-8]]\n");
     folder.write("empty.obj", "");
     folder.write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
     folder.write("flat.toml", // with what makes its kernels those of the Cornell box
@@ -309,7 +309,7 @@ TEST_CASE("the laboratory refuses what it cannot measure") {
     const Case cases[] = {
         {{"missing.toml"}, "missing.toml: no such file"},
         {{"empty.toml"}, "empty.toml"},
-        {{"tiny.toml"}, "sphere of radius 8.16497e-31; the laboratory measures 1e-07 to 1e+09"},
+        {{"tiny.toml"}, "sphere of radius 8.16497e-09; the laboratory measures 1e-07 to 1e+09"},
         {{CORNELL, "--rays", "0"}, "--rays 0 is out of range"},
         {{CORNELL, "--rays", "many"}, "--rays = many"},
         {{CORNELL, "--trials", "-1"}, "--trials -1 is out of range"},

@@ -67,7 +67,7 @@ glm::dvec3 direct_light(glm::dvec3 position, glm::dvec3 direction, double distan
         return f * glm::dvec3(light) * pdf / (pdf * pdf + bsdf_pdf * bsdf_pdf);
     };
     if (distance > 1e20) return weighted(SKY, pmf(LIGHT_ENVIRONMENT) / (4 * M_PI));
-    if (glm::length(glm::normalize(to_point) - direction) < 1e-5)
+    if (glm::length(glm::normalize(to_point) - direction) < 1e-4) // the origin is lifted
         return f * glm::dvec3(INTENSITY) / glm::dot(to_point, to_point) / pmf(LIGHT_POINT);
     return weighted(EMISSION,
                     pmf(LIGHT_TRIANGLE) * distance * distance / (direction.y * LAMP_AREA));

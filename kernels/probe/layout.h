@@ -188,6 +188,12 @@
     SIZE(PointLightRecord)                                                                         \
     OFFSET(PointLightRecord, position)                                                             \
     OFFSET(PointLightRecord, intensity)                                                            \
+    SIZE(SpotLightRecord)                                                                          \
+    OFFSET(SpotLightRecord, position)                                                              \
+    OFFSET(SpotLightRecord, back)                                                                  \
+    OFFSET(SpotLightRecord, intensity)                                                             \
+    OFFSET(SpotLightRecord, opening)                                                               \
+    OFFSET(SpotLightRecord, steepness)                                                             \
     SIZE(DirectionalLightRecord)                                                                   \
     OFFSET(DirectionalLightRecord, to_light)                                                       \
     OFFSET(DirectionalLightRecord, irradiance)                                                     \
@@ -218,6 +224,12 @@
     OFFSET(LightRecord, as.point)                                                                  \
     OFFSET(LightRecord, as.point.position)                                                         \
     OFFSET(LightRecord, as.point.intensity)                                                        \
+    OFFSET(LightRecord, as.spot)                                                                   \
+    OFFSET(LightRecord, as.spot.position)                                                          \
+    OFFSET(LightRecord, as.spot.back)                                                              \
+    OFFSET(LightRecord, as.spot.intensity)                                                         \
+    OFFSET(LightRecord, as.spot.opening)                                                           \
+    OFFSET(LightRecord, as.spot.steepness)                                                         \
     OFFSET(LightRecord, as.directional)                                                            \
     OFFSET(LightRecord, as.directional.to_light)                                                   \
     OFFSET(LightRecord, as.directional.irradiance)                                                 \

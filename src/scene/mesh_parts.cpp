@@ -45,11 +45,17 @@ static MeshPart flat_shaded(MeshPart& part) {
     return flat;
 }
 
+/// Most files have one part, which is not copied.
+static void take_part(Mesh& mesh, MeshPart& part) {
+    mesh.positions = std::move(part.positions);
+    mesh.normals = std::move(part.normals);
+    for_each_attribute(mesh, part, [](auto& to, auto& from, const auto&) { to = std::move(from); });
+    mesh.triangles = std::move(part.triangles);
+    mesh.materials = std::move(part.materials);
+}
+
 static void append_part(Mesh& mesh, const MeshPart& part) {
     const uint32_t first = uint32_t(mesh.positions.size());
-    if (mesh.positions.size() + part.positions.size() > MAX_VERTICES)
-        throw InputError("mesh '{}': more than {} vertices; split the scene", mesh.name,
-                         MAX_VERTICES);
     mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
     mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
     for_each_attribute(mesh, part, [](auto& to, const auto& from, const auto&) {
@@ -106,7 +112,13 @@ Mesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes) {
         for_each_attribute(part, has, [&](auto& values, const auto& any, const auto& absent) {
             if (!any.empty() && values.empty()) values.resize(part.positions.size(), absent);
         });
-        append_part(mesh, part);
+        if (mesh.positions.size() + part.positions.size() > MAX_VERTICES)
+            throw InputError("mesh '{}': more than {} vertices; split the scene", mesh.name,
+                             MAX_VERTICES);
+        if (mesh.positions.empty())
+            take_part(mesh, part);
+        else
+            append_part(mesh, part);
         part = {};
     }
     note_degenerate(mesh, notes);

@@ -33,9 +33,9 @@ class PartBuilder {
         positions_.clear();
         for (const Corner& corner : corners) {
             vertices_.push_back(vertex(corner));
-            positions_.push_back(file_.positions[size_t(corner.position)]);
+            positions_.push_back(uint32_t(corner.position));
         }
-        for (const auto& [a, b, c] : triangulate(positions_)) {
+        for (const auto& [a, b, c] : triangulate({file_.positions, positions_})) {
             part_.triangles.emplace_back(vertices_[a], vertices_[b], vertices_[c]);
             part_.materials.push_back(material);
         }
@@ -74,8 +74,8 @@ class PartBuilder {
     GradualSpending& cost_;
     MeshPart part_;
     std::unordered_map<Corner, uint32_t, CornerHash> known_;
-    std::vector<uint32_t> vertices_;    ///< of the face being added
-    std::vector<glm::dvec3> positions_; ///< of its corners
+    std::vector<uint32_t> vertices_;  ///< of the face being added
+    std::vector<uint32_t> positions_; ///< of the file, by its corners
 };
 
 } // namespace

@@ -129,11 +129,10 @@ class Reader {
     GradualSpending cost_;
     MeshPart part_;
     std::vector<glm::dvec3> positions_;
-    bool bad_positions_ = false;      ///< whether some are no finite numbers
-    bool dropped_ = false;            ///< whether a face was left out because of them
-    std::vector<uint32_t> corners_;   ///< of the face being read
-    std::vector<double> corner_uvs_;  ///< of these corners, where the face has its own
-    std::vector<glm::dvec3> outline_; ///< positions of these corners
+    bool bad_positions_ = false;     ///< whether some are no finite numbers
+    bool dropped_ = false;           ///< whether a face was left out because of them
+    std::vector<uint32_t> corners_;  ///< of the face being read
+    std::vector<double> corner_uvs_; ///< of these corners, where the face has its own
     std::unordered_map<VertexUv, uint32_t, VertexUvHash> split_; ///< to the new vertex
 };
 
@@ -291,9 +290,7 @@ void Reader::add_polygon() {
     if (!corner_uvs_.empty() && corner_uvs_.size() == 2 * corners_.size()) split_corners();
     if (corners_.size() == 3) // as all are in most files
         return void(part_.triangles.emplace_back(corners_[0], corners_[1], corners_[2]));
-    outline_.clear();
-    for (const uint32_t corner : corners_) outline_.push_back(positions_[corner]);
-    for (const auto& [a, b, c] : triangulate(outline_))
+    for (const auto& [a, b, c] : triangulate({positions_, corners_}))
         part_.triangles.emplace_back(corners_[a], corners_[b], corners_[c]);
 }
 

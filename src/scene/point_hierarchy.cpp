@@ -35,12 +35,14 @@ bool contains(const std::array<glm::dvec2, 3>& t, const glm::dvec2& p) {
 PointHierarchy::PointHierarchy(std::span<const glm::dvec2> points)
     : points_(points), order_(points.size()), positions_(points.size()), gone_(points.size(), 0) {
     std::iota(order_.begin(), order_.end(), 0u);
+    size_t leaves = 1; // of the complete hierarchy that is built
+    while (leaves * LEAF < points.size()) leaves *= 2;
+    nodes_.resize(2 * leaves - 1);
     build(0, 0, points.size());
     for (uint32_t i = 0; i < order_.size(); ++i) positions_[order_[i]] = i;
 }
 
 void PointHierarchy::build(size_t node, size_t begin, size_t end) {
-    if (nodes_.size() <= node) nodes_.resize(2 * node + 1);
     glm::dvec2 low(points_[order_[begin]]), high(low);
     for (size_t i = begin; i < end; ++i) {
         low = glm::min(low, points_[order_[i]]);
@@ -68,12 +70,13 @@ void PointHierarchy::remove(uint32_t point) {
     }
 }
 
-bool PointHierarchy::any_in(const std::array<glm::dvec2, 3>& triangle) const {
+bool PointHierarchy::any_in(const std::array<glm::dvec2, 3>& triangle) {
     return any_in(triangle, 0, 0, points_.size());
 }
 
 bool PointHierarchy::any_in(const std::array<glm::dvec2, 3>& triangle, size_t node, size_t begin,
-                            size_t end) const {
+                            size_t end) {
+    ++steps_;
     const Node& box = nodes_[node];
     if (box.count == 0 || misses(triangle, box.low, box.high)) return false;
     if (end - begin <= LEAF) {

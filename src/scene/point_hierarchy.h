@@ -25,7 +25,10 @@ class PointHierarchy {
 
     /// Whether a point of the set lies in or on the triangle, which is counter-clockwise; points
     /// that equal one of its corners do not count.
-    bool any_in(const std::array<glm::dvec2, 3>& triangle) const;
+    bool any_in(const std::array<glm::dvec2, 3>& triangle);
+
+    /// Boxes that any_in() has looked at so far.
+    uint64_t steps() const { return steps_; }
 
   private:
     struct Node {
@@ -34,14 +37,14 @@ class PointHierarchy {
     };
 
     void build(size_t node, size_t begin, size_t end);
-    bool any_in(const std::array<glm::dvec2, 3>& triangle, size_t node, size_t begin,
-                size_t end) const;
+    bool any_in(const std::array<glm::dvec2, 3>& triangle, size_t node, size_t begin, size_t end);
 
     std::span<const glm::dvec2> points_;
     std::vector<uint32_t> order_;     ///< points, each node's a range
     std::vector<uint32_t> positions_; ///< of each point in order_
     std::vector<char> gone_;          ///< by position in order_
     std::vector<Node> nodes_;         ///< the children of i are 2 i + 1 and 2 i + 2
+    uint64_t steps_ = 0;
 };
 
 } // namespace onde

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 
 namespace onde {
@@ -37,7 +38,9 @@ class FacetMesh {
         cost_.add(polygon_bytes(corners.size()));
         corners_.clear();
         for (const glm::dvec3& corner : corners) corners_.push_back(vertex(corner));
-        for (const auto& [a, b, c] : triangulate(corners)) {
+        numbers_.resize(corners.size());
+        std::iota(numbers_.begin(), numbers_.end(), 0u);
+        for (const auto& [a, b, c] : triangulate({corners, numbers_})) {
             part_.triangles.emplace_back(corners_[a], corners_[b], corners_[c]);
             part_.materials.push_back(0);
         }
@@ -75,6 +78,7 @@ class FacetMesh {
     MeshPart part_;
     std::unordered_map<glm::dvec3, uint32_t, PositionHash> vertices_;
     std::vector<uint32_t> corners_; ///< of the facet being added
+    std::vector<uint32_t> numbers_; ///< of these corners, from 0
     bool dropped_ = false;          ///< whether a facet was left out
 };
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <string>
 #include <unistd.h>
 
 namespace onde::app {
@@ -17,13 +16,14 @@ static std::string duration(double seconds) {
     return fmt::format("{:.1f} s", seconds);
 }
 
-ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
+ProgressLine::ProgressLine(bool quiet, const std::string& name)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO)), name_(name.empty() ? "" : name + ": ") {}
 
 void ProgressLine::show(const Progress& p) {
     if (quiet_) return;
-    const std::string line = fmt::format("{:3.0f} %  {:.4g} of {} samples  {:.2f} Mrays/s  {} left",
-                                         100 * p.fraction, p.samples, p.target_samples,
-                                         p.rays_per_second * 1e-6, duration(p.seconds_left));
+    const std::string line = fmt::format(
+        "{}{:3.0f} %  {:.4g} of {} samples  {:.2f} Mrays/s  {} left", name_, 100 * p.fraction,
+        p.samples, p.target_samples, p.rays_per_second * 1e-6, duration(p.seconds_left));
     if (terminal_) {
         std::fprintf(stderr, "\ronde: %s\033[K", line.c_str());
         std::fflush(stderr);

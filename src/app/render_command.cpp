@@ -3,8 +3,7 @@
 #include "app/interrupt.h"
 #include "app/progress_line.h"
 #include "app/render_report.h"
-#include "app/render_request.h"
-#include "app/turntable.h"
+#include "app/sequence.h"
 
 #include "core/files.h"
 #include "core/log.h"
@@ -14,7 +13,6 @@
 #include "scene/load.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -100,14 +98,15 @@ void write_all(const std::vector<std::filesystem::path>& paths, Outputs& outputs
                           *find_channel(aov), metadata);
 }
 
-RenderOutcome render_until_done(Session& session, RenderReport& report,
+void tell_kernels(const Session& session, const gpu::BuildReport& kernels) {
+    spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", session.options().width,
+                 session.options().height, session.device().facts().name,
+                 kernels.from_cache ? "loaded" : "compiled", kernels.seconds);
+}
+
+RenderOutcome render_until_done(Session& session, const std::string& name,
                                 const StopOnInterrupt& interrupt, bool quiet) {
-    const gpu::BuildReport& kernels = session.prepare();
-    if (std::exchange(report.kernel_seconds, kernels.seconds) != kernels.seconds)
-        spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", session.options().width,
-                     session.options().height, session.device().facts().name,
-                     kernels.from_cache ? "loaded" : "compiled", kernels.seconds);
-    ProgressLine line(quiet);
+    ProgressLine line(quiet, name);
     const RenderOutcome outcome = session.render([&](const Progress& progress) {
         line.show(progress);
         return !interrupt.requested();
@@ -136,50 +135,77 @@ std::FILE* stream_for_words(const RenderRequest& request) {
     return taken ? stderr : stdout;
 }
 
-/// Renders what the session shows now, and writes it; returns whether it was interrupted.
-bool make_picture(Session& session, const RenderRequest& request,
-                  const std::vector<std::filesystem::path>& paths, RenderReport& report,
-                  const Timer& total, const StopOnInterrupt& interrupt) {
-    report.outcome = render_until_done(session, report, interrupt, request.quiet);
+/// What becomes of a request.
+struct Work {
+    const RenderRequest& request;
+    StopOnInterrupt interrupt{}; ///< what is rendered is saved, while it is written too
+    Outputs outputs{};
+    std::vector<Json> reports{}; ///< of the pictures, where they are asked for
+    bool interrupted = false;
+};
+
+/// Renders what the session shows, and writes it. `timer` runs since the work on it began.
+void make_picture(Session& session, const Shot& shot, RenderReport report, const Timer& timer,
+                  Work& work) {
+    const RenderRequest& request = work.request;
+    report.kernels_before = session.kernel_times();
+    report.outcome = render_until_done(session, shot.name, work.interrupt, request.quiet);
     tell_findings(session, report.outcome);
-    if (report.outcome.samples == 0) return true;
+    work.interrupted = report.outcome.interrupted || report.outcome.samples == 0;
+    if (report.outcome.samples == 0) return;
 
     const Timer writing;
-    Outputs outputs;
-    write_all(paths, outputs, session, request, report);
+    write_all(shot.outputs, work.outputs, session, request, report);
     report.write_seconds = writing.seconds();
-    report.total_seconds = total.seconds();
+    report.total_seconds = timer.seconds();
     if (request.stats) print_report(session, report, stream_for_words(request));
-    if (!request.json.empty())
-        outputs.attempt([&] { write_report(session, report, request.json); });
-    outputs.check();
-    return report.outcome.interrupted;
+    if (!request.json.empty()) work.reports.push_back(report_json(session, report));
+}
+
+/// Makes one picture after the other until one fails or the user has had enough.
+void make_pictures(ShotSession& sessions, const std::vector<Shot>& shots, Timer timer, Work& work) {
+    bool told = false;
+    for (const Shot& shot : shots) {
+        Session& session = sessions.show(shot);
+        RenderReport report{.scene = work.request.scene.string(),
+                            .scene_hash = scene_hash(session.scene()),
+                            .outputs = shot.outputs,
+                            .at = shot.at,
+                            .load_seconds = sessions.take_load_seconds()};
+        work.interrupted = work.interrupt.requested() && told;
+        if (work.interrupted) return;
+        const gpu::BuildReport kernels = session.prepare();
+        if (report.load_seconds > 0) report.kernels = kernels;
+        if (!told || !report.kernels.from_cache) tell_kernels(session, kernels);
+        told = true;
+        make_picture(session, shot, std::move(report), timer, work);
+        if (work.interrupted || work.outputs.any_failed()) return;
+        timer = Timer();
+    }
+}
+
+/// The one picture's report as it is, those of a sequence in a list.
+void write_reports(bool is_sequence, Work& work) {
+    if (work.reports.empty()) return;
+    const Json json = is_sequence ? Json{{"pictures", work.reports}} : work.reports.front();
+    work.outputs.attempt([&] { write_file(work.request.json, json_text(json)); });
 }
 
 /// Renders one request; returns whether it was interrupted.
 bool run(const RenderRequest& request) {
     set_up_logging(request.quiet);
-    const Timer total;
-    RenderReport report{.scene = request.scene.string()};
+    const Timer timer;
     check_request(request);
-    const auto pictures = resolve_pictures(request);
+    const std::vector<Shot> shots = resolve_shots(request);
     const bool timed = request.stats || !request.json.empty();
     Machine machine =
         open_machine(request.machine, timed ? gpu::Profiling::on : gpu::Profiling::off);
-    const Timer loading;
-    Scene scene = load_requested_scene(request);
-    report.load_seconds = loading.seconds();
-    Session session = open_session(machine, std::move(scene), request);
-    report.scene_hash = scene_hash(session.scene());
-    const StopOnInterrupt interrupt; // what is rendered is saved, while it is written too
-    const Camera camera = session.camera();
-    const SceneBounds bounds = scene_bounds(session.scene());
-    for (size_t i = 0; i < pictures.size(); ++i) {
-        const double share = double(i) / double(pictures.size());
-        if (i > 0) session.set_camera(turned_camera(camera, bounds, 2 * M_PI * share));
-        if (make_picture(session, request, pictures[i], report, total, interrupt)) return true;
-    }
-    return false;
+    ShotSession sessions(machine, request, shots);
+    Work work{request}; // from here on signals are caught
+    make_pictures(sessions, shots, timer, work);
+    write_reports(is_sequence(request), work);
+    work.outputs.check();
+    return work.interrupted;
 }
 
 } // namespace

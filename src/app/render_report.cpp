@@ -1,7 +1,5 @@
 #include "app/render_report.h"
 
-#include "app/json.h"
-#include "core/output.h"
 #include "upload/layout_choice.h"
 
 #include <fmt/format.h>
@@ -35,6 +33,20 @@ void print_rays(std::FILE* to, const RenderOptions& options, const RenderOutcome
                mega(double(rays.total())) / seconds, double(rays.total()) / paths);
 }
 
+/// By kernel, for this picture.
+std::map<std::string, gpu::KernelTime> kernel_times(Session& session, const RenderReport& r) {
+    std::map<std::string, gpu::KernelTime> times = session.kernel_times();
+    for (const auto& [name, before] : r.kernels_before) {
+        times[name].launches -= before.launches;
+        times[name].seconds -= before.seconds;
+    }
+    return times;
+}
+
+std::vector<std::string> texts(const std::vector<std::filesystem::path>& paths) {
+    return {paths.begin(), paths.end()};
+}
+
 double mebi(const std::vector<gpu::BufferSize>& buffers) {
     return double(gpu::total_bytes(buffers)) / 1048576;
 }
@@ -45,7 +57,6 @@ void print_report(Session& session, const RenderReport& r, std::FILE* to) {
     const gpu::DeviceFacts& device = session.device().facts();
     const RenderOptions& options = session.options();
     const Bvh& bvh = session.packed().bvh;
-    const gpu::BuildReport& kernels = session.prepare();
     const MemoryPlan plan = session.memory_plan();
     fmt::print(to, "device    {} ({}, driver {})\n", device.name, device.platform,
                device.driver_version);
@@ -60,28 +71,28 @@ void print_report(Session& session, const RenderReport& r, std::FILE* to) {
                bvh.statistics.sah_cost, bvh.statistics.build_seconds,
                mega(bvh.statistics.triangles / std::max(bvh.statistics.build_seconds, 1e-9)));
     fmt::print(to, "kernels   {} in {:.3f} s\n",
-               kernels.from_cache ? "loaded from the cache" : "compiled", kernels.seconds);
+               r.kernels.from_cache ? "loaded from the cache" : "compiled", r.kernels.seconds);
     fmt::print(to, "memory    scene {:.1f} MiB, paths in flight {:.1f} MiB, film {:.1f} MiB\n",
                mebi(plan.scene), mebi(plan.paths), mebi(plan.film));
     fmt::print(to, "render    {:.4g} samples per pixel in {:.3f} s\n", r.outcome.samples,
                r.outcome.seconds);
     print_rays(to, options, r.outcome, session.ray_counts());
-    for (const auto& [name, time] : session.kernel_times())
+    for (const auto& [name, time] : kernel_times(session, r))
         fmt::print(to, "kernel    {:<12} {:8.3f} s in {} launches\n", name, time.seconds,
                    time.launches);
     fmt::print(to, "total     {:.3f} s\n", r.total_seconds);
 }
 
-void write_report(Session& session, const RenderReport& r, const std::filesystem::path& path) {
+Json report_json(Session& session, const RenderReport& r) {
     const gpu::DeviceFacts& device = session.device().facts();
     const RenderOptions& options = session.options();
     const Bvh& bvh = session.packed().bvh;
-    const gpu::BuildReport& kernels = session.prepare();
     const MemoryPlan plan = session.memory_plan();
     const RayCounts rays = session.ray_counts();
     Json json = {
         {"scene", r.scene},
         {"scene_hash", r.scene_hash},
+        {"outputs", texts(r.outputs)},
         {"version", ONDE_VERSION},
         {"device", device.name},
         {"platform", device.platform},
@@ -101,8 +112,8 @@ void write_report(Session& session, const RenderReport& r, const std::filesystem
         {"load_seconds", r.load_seconds},
         {"bvh_seconds", bvh.statistics.build_seconds},
         {"pack_seconds", session.pack_seconds()},
-        {"kernel_build_seconds", kernels.seconds},
-        {"kernels_from_cache", kernels.from_cache},
+        {"kernel_build_seconds", r.kernels.seconds},
+        {"kernels_from_cache", r.kernels.from_cache},
         {"render_seconds", r.outcome.seconds},
         {"write_seconds", r.write_seconds},
         {"total_seconds", r.total_seconds},
@@ -114,9 +125,10 @@ void write_report(Session& session, const RenderReport& r, const std::filesystem
         {"mrays_per_second", mega(double(rays.total())) / std::max(r.outcome.seconds, 1e-9)},
         {"invalid_samples", session.film().find_invalid().count},
     };
-    for (const auto& [name, time] : session.kernel_times())
+    if (r.at) json["at"] = *r.at;
+    for (const auto& [name, time] : kernel_times(session, r))
         json["kernels"][name] = {{"seconds", time.seconds}, {"launches", time.launches}};
-    write_file(path, json_text(json));
+    return json;
 }
 
 } // namespace onde::app

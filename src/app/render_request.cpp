@@ -1,6 +1,6 @@
 #include "app/render_request.h"
 
-#include "app/turntable.h"
+#include "app/sequence.h"
 
 #include "core/error.h"
 #include "core/files.h"
@@ -108,11 +108,15 @@ void declare_engine(Command& command, RenderRequest& r) {
     command.option("--chunk", &r.choices.chunk, "Paths of one work item", {.value = "N"});
 }
 
-void declare_turntable(Command& command, RenderRequest& r) {
+void declare_sequence(Command& command, RenderRequest& r) {
     command.option("--turntable", &r.turntable,
                    "Render N pictures of the camera around the vertical axis of the scene,\n"
-                   "OUTPUT.0001.png and on",
-                   {.value = "N", .least = 1, .most = MOST_TURNTABLE_PICTURES});
+                   "OUTPUT.0001.png and on; # signs in OUTPUT stand for the digits",
+                   {.value = "N", .least = 1, .most = MOST_PICTURES});
+    command.option("--frames", &r.frames,
+                   "Render these frames of a glTF file's animation, OUTPUT.0000.png and on",
+                   {.value = "FIRST:LAST"});
+    command.option("--fps", &r.frames_a_second, "Frames a second of --frames (24)", {.value = "N"});
 }
 
 void declare_reports(Command& command, RenderRequest& r) {
@@ -124,19 +128,16 @@ void declare_reports(Command& command, RenderRequest& r) {
 }
 
 /// Devices and pipes may take several.
-void check_outputs(const std::vector<fs::path>& paths) {
-    std::set<fs::path> taken;
-    for (const fs::path& path : paths) {
-        check_writable(path);
-        std::error_code ignored;
-        const bool standard = is_standard_output(path);
-        if (!standard && fs::is_other(path, ignored)) continue;
-        const fs::path place =
-            standard ? STANDARD_OUTPUT : fs::weakly_canonical(fs::absolute(path), ignored);
-        if (!taken.insert(place).second)
-            throw InputError("{}: two outputs cannot go to the same place; name another",
-                             standard ? "standard output" : path.string());
-    }
+void check_output(const fs::path& path, std::set<fs::path>& taken) {
+    check_writable(path);
+    std::error_code ignored;
+    const bool standard = is_standard_output(path);
+    if (!standard && fs::is_other(path, ignored)) return;
+    const fs::path place =
+        standard ? STANDARD_OUTPUT : fs::weakly_canonical(fs::absolute(path), ignored);
+    if (!taken.insert(place).second)
+        throw InputError("{}: two outputs cannot go to the same place; name another",
+                         standard ? "standard output" : path.string());
 }
 
 } // namespace
@@ -153,7 +154,7 @@ void declare_options(Command& command, RenderRequest& request) {
     declare_view(command, request);
     declare_load(command, request.load);
     declare_picture(command, request);
-    declare_turntable(command, request);
+    declare_sequence(command, request);
     declare_estimator(command, request);
     declare_engine(command, request);
     declare_machine(command, request.machine);
@@ -167,7 +168,7 @@ void declare_replay_options(Command& command, RenderRequest& request) {
     declare_machine(command, request.machine);
 }
 
-Scene load_requested_scene(const RenderRequest& request) {
+LoadOptions requested_load(const RenderRequest& request) {
     LoadOptions options = load_options(request.load);
     options.studio = request.studio;
     options.ground = request.ground;
@@ -178,7 +179,11 @@ Scene load_requested_scene(const RenderRequest& request) {
     if (!request.environment.empty())
         options.environment =
             load_environment(request.environment, glm::vec3(1.0f), request.environment_rotation);
-    return load_scene(request.scene, options);
+    return options;
+}
+
+Scene load_requested_scene(const RenderRequest& request) {
+    return load_scene(request.scene, requested_load(request));
 }
 
 void check_request(const RenderRequest& r) {
@@ -202,7 +207,12 @@ Machine open_machine(const MachineRequest& request, gpu::Profiling profiling) {
     return Machine(request.device, std::move(sources), std::move(cache), profiling);
 }
 
-Session open_session(Machine& machine, Scene scene, const RenderRequest& request) {
+void tell_note(const std::string& note) {
+    spdlog::info("{}", note);
+}
+
+Session open_session(Machine& machine, Scene scene, const RenderRequest& request,
+                     const SessionExtras& extras) {
     RenderChoices choices = request.choices;
     if (!request.size.empty()) std::tie(choices.width, choices.height) = parse_size(request.size);
     for (const std::string& aov : request.aovs)
@@ -214,7 +224,8 @@ Session open_session(Machine& machine, Scene scene, const RenderRequest& request
     options.bvh.layout = request.layout.value_or(BvhLayout::wide);
     options.choose_layout = !request.layout;
     options.timed = request.stats || !request.json.empty();
-    options.on_note = [](const std::string& note) { spdlog::info("{}", note); };
+    options.on_note = extras.on_note;
+    options.further_features = extras.features;
     return Session(machine.programs, std::move(scene), std::move(options));
 }
 
@@ -241,39 +252,25 @@ bool is_exr(const std::filesystem::path& output) {
     return lower_extension(output) == ".exr";
 }
 
-std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request) {
-    std::vector<std::filesystem::path> outputs = request.outputs;
+std::vector<fs::path> named_outputs(const RenderRequest& request) {
+    std::vector<fs::path> outputs = request.outputs;
     if (outputs.empty()) outputs.push_back(request.scene.stem().string() + ".png");
-    std::vector<std::filesystem::path> all = outputs;
-    for (const auto& path : outputs) {
+    for (const fs::path& path : outputs) {
         if (is_standard_output(path) && !request.aovs.empty())
             throw InputError("--aov needs a file to name its pictures after; give one with -o");
         if (!is_standard_output(path) && lower_extension(path) != ".png" && !is_exr(path))
             throw InputError("{}: pictures are written as .png or .exr; change the extension",
                              path.string());
-        for (const std::string& aov : request.aovs) all.push_back(aov_path(path, aov));
     }
-    if (!request.json.empty()) all.push_back(request.json);
-    check_outputs(all);
     return outputs;
 }
 
-std::vector<std::vector<fs::path>> resolve_pictures(const RenderRequest& request) {
-    if (!request.turntable) return {resolve_outputs(request)};
-    if (std::ranges::any_of(request.outputs, is_standard_output) || !request.json.empty())
-        throw InputError(
-            "--turntable writes numbered pictures; name a file with -o, without --json");
-    RenderRequest one = request;
-    if (one.outputs.empty()) one.outputs.push_back(request.scene.stem().string() + ".png");
-    const std::vector<fs::path> outputs = one.outputs;
-    resolve_outputs(one);
-    std::vector<std::vector<fs::path>> pictures;
-    for (uint32_t number = 1; number <= *request.turntable; ++number) {
-        one.outputs.clear();
-        for (const fs::path& path : outputs) one.outputs.push_back(numbered_path(path, number));
-        pictures.push_back(resolve_outputs(one));
-    }
-    return pictures;
+void check_outputs(const std::vector<fs::path>& outputs, const RenderRequest& request) {
+    std::set<fs::path> taken;
+    for (const fs::path& path : outputs) check_output(path, taken);
+    for (const std::string& aov : request.aovs)
+        for (const fs::path& path : aov_paths(outputs, aov)) check_output(path, taken);
+    if (!request.json.empty()) check_output(request.json, taken);
 }
 
 } // namespace onde::app

@@ -44,6 +44,8 @@ struct RenderRequest {
     bool full_float = false;
     std::filesystem::path json;
     std::optional<uint32_t> turntable; ///< pictures of a turn, from 1 on
+    std::string frames;                ///< of an animation, FIRST:LAST, or empty
+    std::optional<double> frames_a_second;
     bool stats = false, quiet = false;
 };
 
@@ -55,7 +57,10 @@ void declare_options(Command& command, RenderRequest& request);
 /// Those of them that decide what a sample is, for commands that replay one.
 void declare_replay_options(Command& command, RenderRequest& request);
 
-/// The scene, under the request's environment. Throws InputError.
+/// How the scene is to be loaded, with the environment that is asked for. Throws InputError.
+LoadOptions requested_load(const RenderRequest& request);
+
+/// The scene of the request. Throws InputError.
 Scene load_requested_scene(const RenderRequest& request);
 
 /// Throws InputError for values that are wrong whatever the scene is.
@@ -64,9 +69,18 @@ void check_request(const RenderRequest& request);
 /// Opens the device with the kernels that are asked for.
 Machine open_machine(const MachineRequest& request, gpu::Profiling profiling = gpu::Profiling::off);
 
-/// The scene of the request in a session of its own, whose notes are logged as they arise. Throws
-/// InputError and DeviceError.
-Session open_session(Machine& machine, Scene scene, const RenderRequest& request);
+/// Logs it.
+void tell_note(const std::string& note);
+
+/// Of a session among others.
+struct SessionExtras {
+    std::optional<SceneFeatures> features{}; ///< that kernels are compiled for too
+    std::function<void(const std::string&)> on_note = tell_note;
+};
+
+/// A scene in a session of its own, as the request says. Throws InputError and DeviceError.
+Session open_session(Machine& machine, Scene scene, const RenderRequest& request,
+                     const SessionExtras& extras = {});
 
 /// What --aov can add: the traversal cost, and the channels of the film but the picture itself.
 inline constexpr const char* TRAVERSAL_COST = "traversal-cost";
@@ -81,11 +95,12 @@ std::vector<std::filesystem::path> aov_paths(const std::vector<std::filesystem::
 /// Whether a picture of that name is OpenEXR; else it is PNG.
 bool is_exr(const std::filesystem::path& output);
 
-/// The outputs, or SCENE's name with .png in the current folder when none was given; each must be
-/// .png or .exr, or standard output, be writable, and be there once. Throws InputError.
-std::vector<std::filesystem::path> resolve_outputs(const RenderRequest& request);
+/// The outputs that are asked for, or SCENE's name with .png in the current folder. Throws
+/// InputError unless each is .png, .exr or standard output.
+std::vector<std::filesystem::path> named_outputs(const RenderRequest& request);
 
-/// The same for each picture of the turntable, or for the one picture without.
-std::vector<std::vector<std::filesystem::path>> resolve_pictures(const RenderRequest& request);
+/// Throws InputError unless these, what is written beside them, and the report can be written, each
+/// to a place of its own.
+void check_outputs(const std::vector<std::filesystem::path>& outputs, const RenderRequest& request);
 
 } // namespace onde::app

@@ -41,6 +41,8 @@ class Outputs {
         }
     }
 
+    bool any_failed() const { return !failures_.empty(); }
+
     /// Throws one InputError for all that failed.
     void check() const;
 

@@ -1,8 +1,8 @@
 // What a scene file may leave out: a camera, and something that shines.
-#include "scene/framing.h"
 #include "scene/load.h"
 #include "scene/merge.h"
 #include "scene/phong.h"
+#include "scene/stage.h"
 #include "scene/studio.h"
 
 #include <algorithm>
@@ -54,24 +54,9 @@ static bool anything_emits(const Scene& scene) {
     return false;
 }
 
-static glm::uvec2 framed_size(const Scene& scene, const LoadOptions& options) {
-    const RenderSettings& own = scene.settings;
-    return options.size.value_or(glm::uvec2(own.width.value_or(DEFAULT_FILM_SIZE.x),
-                                            own.height.value_or(DEFAULT_FILM_SIZE.y)));
-}
-
 static void add_studio(Scene& scene, const char* reason) {
     scene.environment = {.radiance = glm::vec3(1.0f), .map = studio_map(), .rotation = 0.0f};
     scene.notes.push_back(fmt::format("{}: a neutral studio was added (--studio off).", reason));
-}
-
-/// Far enough below what stands on it that the two are never one plane, and near enough that nobody
-/// sees a gap.
-static void add_ground(Scene& scene) {
-    const SceneBounds bounds = scene_bounds(scene);
-    if (!(bounds.low.y <= bounds.high.y)) return;
-    const float gap = 1e-4f * glm::length(bounds.high - bounds.low);
-    scene.environment.ground = bounds.low.y - std::max(gap, 1e-6f * std::abs(bounds.low.y));
 }
 
 static void complete_light(Scene& scene, const LoadOptions& options, bool is_model) {
@@ -82,22 +67,23 @@ static void complete_light(Scene& scene, const LoadOptions& options, bool is_mod
         add_studio(scene, "The file has no environment");
 }
 
-static void complete_ground(Scene& scene, const LoadOptions& options, bool is_framed_model) {
-    if (options.ground == GroundPlane::off) scene.environment.ground.reset();
-    const bool wanted = options.ground == GroundPlane::on ||
-                        (options.ground == GroundPlane::automatic && is_framed_model);
-    if (wanted && !scene.environment.ground) add_ground(scene);
+static Stage stage_of(const Scene& scene, const LoadOptions& options, bool is_model) {
+    if (options.stage) return *options.stage;
+    StageFit fit(scene, options, is_model);
+    fit.add(scene);
+    return fit.stage();
 }
 
 void complete_scene(Scene& scene, const LoadOptions& options, bool is_model) {
     complete_lights(scene);
-    const bool is_framed = scene.cameras.empty();
-    if (is_framed) {
-        scene.cameras.push_back(framing_camera(scene, framed_size(scene, options)));
+    const Stage stage = stage_of(scene, options, is_model);
+    if (stage.camera) {
+        scene.cameras.push_back(*stage.camera);
         scene.notes.push_back("The file has no camera: one was added that sees the whole scene.");
     }
     complete_light(scene, options, is_model);
-    complete_ground(scene, options, is_framed && is_model);
+    if (options.ground == GroundPlane::off) scene.environment.ground.reset();
+    if (stage.ground) scene.environment.ground = stage.ground;
 }
 
 } // namespace onde

@@ -15,44 +15,48 @@ glm::mat3 axes_toward(glm::vec3 back) {
     return {right, glm::cross(back, right), back};
 }
 
-/// How far the scene reaches to the four sides of a view without perspective, with `tangents` added
-/// for every unit that a point lies nearer: half-planes of a frustum by their offsets.
-struct Reach {
-    glm::dvec2 low{-std::numeric_limits<double>::infinity()};
-    glm::dvec2 high{-std::numeric_limits<double>::infinity()};
-    double nearest = -std::numeric_limits<double>::infinity();
-
-    void grow(glm::dvec3 view, glm::dvec2 tangents) {
-        const glm::dvec2 side(view), bend = tangents * view.z;
-        low = glm::max(low, bend - side);
-        high = glm::max(high, bend + side);
-        nearest = std::max(nearest, view.z);
-    }
-};
+/// The farthest that a point comes along a direction, as it is or turned about the vertical.
+double along(const glm::dvec3& direction, const glm::dvec3& point, bool all_round) {
+    if (!all_round) return glm::dot(direction, point);
+    return direction.y * point.y +
+           std::hypot(direction.x, direction.z) * std::hypot(point.x, point.z);
+}
 
 } // namespace
 
-Camera framing_camera(const Scene& scene, glm::uvec2 size) {
+Framing::Framing(glm::uvec2 size, bool all_round)
+    : axes_(axes_toward(glm::normalize(glm::vec3(0.55f, 0.4f, 1.0f)))),
+      tangents_(FRAMED_SHARE * std::tan(0.5 * Camera().vertical_fov) *
+                glm::dvec2(double(size.x) / size.y, 1)),
+      all_round_(all_round) {
+    reach_.fill(-std::numeric_limits<double>::infinity());
+}
+
+void Framing::add(const Scene& scene) {
+    const SceneBounds bounds = scene_bounds(scene);
+    const glm::dvec3 low(bounds.low), high(bounds.high);
+    radius_ = std::max(radius_, 0.5 * glm::length(high - low));
+    if (!center_) center_ = 0.5 * low + 0.5 * high;
+    const glm::dvec3 right = axes_[0], up = axes_[1], back = axes_[2];
+    const std::array directions{tangents_.x * back - right, tangents_.x * back + right,
+                                tangents_.y * back - up, tangents_.y * back + up, back};
+    visit_outline(scene, [&](glm::vec3 point) {
+        const glm::dvec3 from_center = glm::dvec3(point) - *center_;
+        for (size_t i = 0; i < reach_.size(); ++i)
+            reach_[i] = std::max(reach_[i], along(directions[i], from_center, all_round_));
+    });
+}
+
+Camera Framing::camera() const {
+    const auto [left, right, below, above, nearest] = reach_;
+    const double fitting = std::max({0.5 * (left + right) / tangents_.x,
+                                     0.5 * (below + above) / tangents_.y, nearest + 0.1 * radius_});
+    const glm::dvec3 middle(0.5 * (right - left), 0.5 * (above - below), fitting);
     Camera camera;
     camera.name = "framed";
-    const double tangent = FRAMED_SHARE * std::tan(0.5 * camera.vertical_fov);
-    const glm::dvec2 tangents = tangent * glm::dvec2(double(size.x) / size.y, 1);
-    const glm::mat3 axes = axes_toward(glm::normalize(glm::vec3(0.55f, 0.4f, 1.0f)));
-    const SceneBounds bounds = scene_bounds(scene);
-    const glm::dvec3 center = 0.5 * glm::dvec3(bounds.low) + 0.5 * glm::dvec3(bounds.high);
-    const double radius = std::max(0.5 * glm::length(glm::dvec3(bounds.high - bounds.low)), 1e-6);
-    const glm::dmat3 to_view = glm::transpose(glm::dmat3(axes));
-    Reach reach;
-    visit_outline(scene, [&](glm::vec3 point) {
-        reach.grow(to_view * (glm::dvec3(point) - center), tangents);
-    });
-    const glm::dvec2 distances = 0.5 * (reach.low + reach.high) / tangents;
-    const double fitting = std::max({distances.x, distances.y, reach.nearest + 0.1 * radius});
-    const glm::dvec2 middle = 0.5 * (reach.high - reach.low);
-    const glm::dvec3 eye = center + glm::dmat3(axes) * glm::dvec3(middle, fitting);
     camera.focus_distance = float(fitting);
-    camera.camera_to_world = glm::mat4(axes);
-    camera.camera_to_world[3] = glm::vec4(glm::vec3(eye), 1.0f);
+    camera.camera_to_world = glm::mat4(glm::mat3(axes_));
+    camera.camera_to_world[3] = glm::vec4(glm::vec3(*center_ + axes_ * middle), 1.0f);
     return camera;
 }
 

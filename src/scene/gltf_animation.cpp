@@ -181,6 +181,7 @@ std::vector<size_t> chosen(const File& file) {
 void animate_nodes(File& file) {
     const Document& document = file.document;
     if (document.animations.empty()) return;
+    file.context.found_animation();
     const auto& options = file.context.options();
     if (!options.at) {
         file.notes.add("The rest pose is shown; --at SECONDS shows the animation",

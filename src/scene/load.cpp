@@ -22,19 +22,39 @@ Scene load_part(const fs::path& path, LoadContext& context,
         path.string(), shown(extension));
 }
 
-Scene load_scene(const fs::path& path, const LoadOptions& options) {
+bool is_model(const fs::path& path) {
+    return lower_extension(path) != ".toml";
+}
+
+/// Runs `work`; what it throws is said to be of that file.
+template <class Work>
+static auto naming(const fs::path& path, const Work& work) try {
+    return work();
+} catch (const InputError& error) {
+    throw InputError("{}: {}", path.string(), error.what());
+}
+
+LoadedScene load_uncompleted(const fs::path& path, const LoadOptions& options) {
     LoadContext context(options);
     Scene scene = load_part(path, context);
+    if (options.at && !context.is_animated())
+        scene.notes.push_back("Nothing in the file is animated: it looks the same at any second.");
     if (options.environment) scene.environment = *options.environment;
     bound_environment(scene);
-    try {
+    const int exponent = naming(path, [&] {
         check_scene(scene);
-        bring_to_scale(scene);
-        complete_scene(scene, options, lower_extension(path) != ".toml");
+        return bring_to_scale(scene, options.stage ? std::optional(options.stage->exponent)
+                                                   : std::nullopt);
+    });
+    return {std::move(scene), exponent};
+}
+
+Scene load_scene(const fs::path& path, const LoadOptions& options) {
+    Scene scene = load_uncompleted(path, options).scene;
+    naming(path, [&] {
+        complete_scene(scene, options, is_model(path));
         check_scene(scene); // a framing camera of a scene near the end of float's range
-    } catch (const InputError& error) {
-        throw InputError("{}: {}", path.string(), error.what());
-    }
+    });
     return scene;
 }
 

@@ -22,6 +22,10 @@ class LoadContext {
     /// they are allocated. Throws InputError "WHERE: ..." where they are more than is left.
     void spend(uint64_t count, uint64_t size, const std::string& where);
 
+    /// That some file of the load has an animation.
+    void found_animation() { is_animated_ = true; }
+    bool is_animated() const { return is_animated_; }
+
     /// Bytes that are left.
     uint64_t left() const { return left_; }
 
@@ -35,6 +39,7 @@ class LoadContext {
   private:
     LoadOptions options_;
     uint64_t left_;
+    bool is_animated_ = false;
 };
 
 /// The file's bytes, which are spent before they are read. Throws InputError as read_file() does.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/enum_words.h"
+#include "scene/camera.h"
 #include "scene/light.h"
 
 #include <glm/glm.hpp>
@@ -29,6 +30,13 @@ constexpr auto enum_words(GroundPlane) {
                       EnumWord{GroundPlane::off, "off"}};
 }
 
+/// What loading adds to a file by the size of what is in it (stage.h).
+struct Stage {
+    int exponent = 0;               ///< of two, by which all lengths are multiplied
+    std::optional<Camera> camera{}; ///< of a file without one
+    std::optional<float> ground{};  ///< height of the plane under it
+};
+
 struct LoadOptions {
     bool strict = false;          ///< refuse what would be repaired or dropped with a note
     std::filesystem::path root{}; ///< folder that references may not leave; empty: the file's own
@@ -39,6 +47,9 @@ struct LoadOptions {
     std::string animation{}, scene{}, variant{};
     std::optional<Environment> environment{}; ///< replaces the file's own
     std::optional<glm::uvec2> size{}; ///< pixels of the picture to be framed, else the file's own
+    /// An added camera fits the scene at whatever angle it is turned about the vertical.
+    bool all_round = false;
+    std::optional<Stage> stage{}; ///< of an earlier load; else fitted to this one
     /// automatic: for models (files that are not TOML), and for scenes in which nothing emits but,
     /// at most, small details in emission textures; never beside another environment.
     Studio studio = Studio::automatic;

@@ -23,6 +23,17 @@ Scene load_toml(const std::filesystem::path& path, LoadContext& context,
 Scene load_part(const std::filesystem::path& path, LoadContext& context,
                 const std::vector<std::filesystem::path>& ancestors = {});
 
+/// Whether the file is a thing, of any format but our own, and not a scene that somebody has lit.
+bool is_model(const std::filesystem::path& path);
+
+struct LoadedScene {
+    Scene scene;
+    int exponent = 0; ///< of two, by which lengths were multiplied
+};
+
+/// A scene as load_scene() loads it, before complete_scene().
+LoadedScene load_uncompleted(const std::filesystem::path& path, const LoadOptions& options);
+
 /// Takes infinite pixels of the environment as large finite ones, with a note.
 void bound_environment(Scene& scene);
 

@@ -44,10 +44,14 @@ static float size_of(const Scene& scene) {
     return size;
 }
 
-void bring_to_scale(Scene& scene) {
+int bring_to_scale(Scene& scene, std::optional<int> wanted) {
     constexpr int MOST = 40; // of two, at once, so that squares of the scale are no denormals
     int scaled = 0;
-    while (const int exponent = std::clamp(wanted_exponent(size_of(scene)), -MOST, MOST)) {
+    const auto missing = [&] {
+        const int own = wanted_exponent(size_of(scene));
+        return std::clamp(wanted ? *wanted - scaled : own, -MOST, MOST);
+    };
+    while (const int exponent = missing()) {
         const float scale = std::ldexp(1.0f, exponent);
         place_anew(scene, even_scale(exponent));
         for_each_light_list(scene, [&](auto& lights, const auto&, const char*) {
@@ -58,11 +62,12 @@ void bring_to_scale(Scene& scene) {
         scaled += exponent;
     }
     for (uint32_t i = 0; i < scene.meshes.size(); ++i) scale_mesh(scene, i);
-    if (scaled == 0) return;
+    if (scaled == 0) return 0;
     scene.notes.push_back(
         fmt::format("The scene is {} for the digits of floats: all its lengths "
                     "were multiplied by {:.3g}, which leaves its picture as it is.",
                     scaled < 0 ? "too large" : "too small", std::ldexp(1.0, scaled)));
+    return scaled;
 }
 
 } // namespace onde

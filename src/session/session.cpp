@@ -70,7 +70,7 @@ void Session::note_mapping() {
 SceneFeatures Session::features_of(const PackedScene& packed) const {
     SceneFeatures features = options_.features.value_or(packed.features);
     features.layout = packed.features.layout;
-    return features;
+    return options_.further_features ? joined(features, *options_.further_features) : features;
 }
 
 bool Session::halve_waves() {

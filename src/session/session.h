@@ -27,6 +27,9 @@ struct SessionOptions {
     /// Programs are built for these instead of for just what the scene has, so that sessions of
     /// several scenes share them; they must cover the scene.
     std::optional<SceneFeatures> features{};
+    /// Programs are built for these beside what the scene has, as far as the way in which its data
+    /// lies allows, so that sessions of scenes that are not yet known share them.
+    std::optional<SceneFeatures> further_features{};
     bool timed = false; ///< kernel_times() are taken, of a device with gpu::Profiling::on
     /// Told each note as it arises, before what it announces is done.
     std::function<void(const std::string&)> on_note{};

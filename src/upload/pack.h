@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 #include "shared/frame.h"
 #include "upload/appearance.h"
+#include "upload/features.h"
 #include "upload/lights.h"
 
 #include <limits>
@@ -13,28 +14,6 @@
 #include <vector>
 
 namespace onde {
-
-inline constexpr uint32_t ALL_KINDS = (1u << MATERIAL_KIND_COUNT) - 1;
-inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
-
-/// What a scene needs of the kernels; the rest is not compiled.
-struct SceneFeatures {
-    bool instances = false, spheres = false, shapes = false, textures = false, normal_maps = false;
-    bool environment = false;
-    uint32_t uv_sets = 1; ///< of texture coordinates
-    bool texture_transforms = false, nearest_filters = false, vertex_colors = false;
-    bool alpha = false;   ///< some surface lets rays pass
-    bool culling = false; ///< cameras see through the back of some surface
-    bool ground = false;  ///< a plane takes the scene's shadow
-    uint32_t kinds = 0;   ///< bits by MATERIAL_...
-    uint32_t lights = 0;  ///< bits by LIGHT_...
-    uint32_t stack_size = 1;
-    bool watertight = false;
-    BvhLayout layout = BvhLayout::wide;
-
-    /// As definitions for the kernels: "ONDE_TEXTURES=1", ...
-    std::vector<std::string> defines() const;
-};
 
 /// The arrays of SCENE_BUFFERS in shared/scene.h.
 struct SceneArrays {

@@ -1,0 +1,52 @@
+// What kernels are compiled for.
+#pragma once
+
+#include "accel/bvh.h"
+#include "shared/scene.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace onde {
+
+inline constexpr uint32_t ALL_KINDS = (1u << MATERIAL_KIND_COUNT) - 1;
+inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
+
+/// FEATURE(Type, name, initial, NAME of the kernels' ONDE_NAME, how kernels of two scenes have it):
+/// either: as bits of both; larger: the larger number; data: as it lies in memory, so that
+/// there are no kernels for two scenes that differ in it.
+#define SCENE_FEATURES(FEATURE)                                                                    \
+    FEATURE(bool, instances, false, INSTANCES, either)                                             \
+    FEATURE(bool, spheres, false, SPHERES, either)                                                 \
+    FEATURE(bool, shapes, false, SHAPES, either)                                                   \
+    FEATURE(bool, textures, false, TEXTURES, either)                                               \
+    FEATURE(bool, normal_maps, false, NORMAL_MAPS, either)                                         \
+    FEATURE(bool, environment, false, ENVIRONMENT, either)                                         \
+    FEATURE(uint32_t, uv_sets, 1, UV_SETS, data) /* of texture coordinates */                      \
+    FEATURE(bool, texture_transforms, false, TEXTURE_TRANSFORMS, either)                           \
+    FEATURE(bool, nearest_filters, false, NEAREST_FILTERS, either)                                 \
+    FEATURE(bool, vertex_colors, false, VERTEX_COLORS, data)                                       \
+    FEATURE(bool, alpha, false, ALPHA, either)     /* some surface lets rays pass */               \
+    FEATURE(bool, culling, false, CULLING, either) /* cameras see through the back of some */      \
+    FEATURE(bool, ground, false, GROUND, either)   /* a plane takes the scene's shadow */          \
+    FEATURE(uint32_t, kinds, 0, KINDS, either)     /* bits by MATERIAL_... */                      \
+    FEATURE(uint32_t, lights, 0, LIGHTS, either)   /* bits by LIGHT_... */                         \
+    FEATURE(uint32_t, stack_size, 1, STACK_SIZE, larger)                                           \
+    FEATURE(bool, watertight, false, WATERTIGHT, data)
+
+/// What a scene needs of the kernels; the rest is not compiled.
+struct SceneFeatures {
+#define ONDE_FEATURE(Type, name, initial, NAME, join) Type name = initial;
+    SCENE_FEATURES(ONDE_FEATURE)
+#undef ONDE_FEATURE
+    BvhLayout layout = BvhLayout::wide;
+
+    /// As definitions for the kernels: "ONDE_TEXTURES=1", ...
+    std::vector<std::string> defines() const;
+};
+
+/// What covers a scene that has `own`, and others that have `more`, as far as one program can.
+SceneFeatures joined(SceneFeatures own, const SceneFeatures& more);
+
+} // namespace onde

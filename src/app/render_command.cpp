@@ -1,7 +1,6 @@
 #include "app/render_command.h"
 
-#include "app/interrupt.h"
-#include "app/progress_line.h"
+#include "app/picture.h"
 #include "app/render_report.h"
 #include "app/sequence.h"
 
@@ -19,15 +18,6 @@
 
 namespace onde::app {
 namespace {
-
-ImageMetadata describe_picture(const Session& session, const RenderReport& report) {
-    return {{"onde:scene_hash", report.scene_hash},
-            {"onde:seed", std::to_string(session.options().seed)},
-            {"onde:samples", fmt::format("{:.6g}", report.outcome.samples)},
-            {"onde:device", session.device().facts().name},
-            {"onde:version", ONDE_VERSION},
-            {"Software", "Onde " ONDE_VERSION}};
-}
 
 /// One picture in every file that is asked for: `as_exr` and `as_png` write it to a path.
 template <class WriteExr, class WritePng>
@@ -85,10 +75,8 @@ void write_channel(const std::vector<std::filesystem::path>& paths, Outputs& out
 
 void write_all(const std::vector<std::filesystem::path>& paths, Outputs& outputs, Session& session,
                const RenderRequest& request, const RenderReport& report) {
-    Display display = display_of(session.scene().settings, session.options().integrator);
-    display.exposure = request.exposure.value_or(display.exposure);
-    display.tone_map = request.tone_map.value_or(display.tone_map);
-    const ImageMetadata metadata = describe_picture(session, report);
+    const Display display = requested_display(session, request);
+    const ImageMetadata metadata = picture_metadata(session, report.scene_hash, report.outcome);
     write_pictures(paths, outputs, session.picture(), request, display, metadata);
     for (const std::string& aov : request.aovs)
         if (aov == TRAVERSAL_COST)
@@ -96,23 +84,6 @@ void write_all(const std::vector<std::filesystem::path>& paths, Outputs& outputs
         else
             write_channel(paths, outputs, session.film().develop(*find_channel(aov)),
                           *find_channel(aov), metadata);
-}
-
-void tell_kernels(const Session& session, const gpu::BuildReport& kernels) {
-    spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", session.options().width,
-                 session.options().height, session.device().facts().name,
-                 kernels.from_cache ? "loaded" : "compiled", kernels.seconds);
-}
-
-RenderOutcome render_until_done(Session& session, const std::string& name,
-                                const StopOnInterrupt& interrupt, bool quiet) {
-    ProgressLine line(quiet, name);
-    const RenderOutcome outcome = session.render([&](const Progress& progress) {
-        line.show(progress);
-        return !interrupt.requested();
-    });
-    line.finish();
-    return outcome;
 }
 
 void tell_findings(Session& session, const RenderOutcome& outcome) {

@@ -38,17 +38,7 @@ void declare_view(Command& command, RenderRequest& r) {
                    {.value = "WxH"});
     command.option("--camera", &r.choices.camera,
                    "Camera of the scene, by name or number (the first)");
-    command.option("--environment", &r.environment,
-                   "Light the scene with this equirectangular picture (.hdr, .exr)",
-                   {.value = "FILE"});
-    command.option("--environment-rotation", &r.environment_rotation,
-                   "Turn that picture, counter-clockwise seen from above", {.value = "DEGREES"});
-    command.choice("--studio", r.studio,
-                   "Light of soft boxes for files without an environment (for models and what is "
-                   "dark else)");
-    command.choice(
-        "--ground", r.ground,
-        "A plane under the scene that shows only its shadow and reflection (for models)");
+    declare_light(command, r);
 }
 
 void declare_picture(Command& command, RenderRequest& r) {
@@ -58,22 +48,15 @@ void declare_picture(Command& command, RenderRequest& r) {
                    {.value = "FILE"});
     command.option("--spp", &r.choices.samples, "Samples per pixel (the scene's, else 64)",
                    {.value = "N"});
-    command.option("--time", &r.choices.seconds, "Stop after about that many seconds",
+    command.option("--time", &r.choices.seconds, "Stop a picture after about that many seconds",
                    {.value = "SECONDS"});
-    command.option("--exposure", &r.exposure, "Brighten the .png by that many stops",
-                   {.value = "STOPS"});
-    command.choice("--tone-map", r.tone_map,
-                   "How bright light is shown in the .png (the scene's, else neutral; none for the "
-                   "chapter's integrators)");
     command.option(
         "--aov", &r.aovs,
         "Also write OUTPUT.WORD, as numbers in .exr, as colours in .png: traversal-cost,\n"
         "the boxes and primitives that camera rays test by pixel; sample-count; and of\n"
         "the first surface alpha, albedo, normal or depth",
         {.value = "WORD", .delimiter = ',', .words = aov_words()});
-    command.choice("--background", r.choices.background,
-                   "What is behind the scene; transparent gives the picture an alpha channel, "
-                   "multiplied in .exr, straight in .png (environment)");
+    declare_display(command, r);
     command.flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
 }
 
@@ -141,6 +124,31 @@ void check_output(const fs::path& path, std::set<fs::path>& taken) {
 }
 
 } // namespace
+
+void declare_light(Command& command, RenderRequest& r) {
+    command.option("--environment", &r.environment,
+                   "Light the scene with this equirectangular picture (.hdr, .exr)",
+                   {.value = "FILE"});
+    command.option("--environment-rotation", &r.environment_rotation,
+                   "Turn that picture, counter-clockwise seen from above", {.value = "DEGREES"});
+    command.choice("--studio", r.studio,
+                   "Light of soft boxes for files without an environment (for models and what is "
+                   "dark else)");
+    command.choice(
+        "--ground", r.ground,
+        "A plane under the scene that shows only its shadow and reflection (for models)");
+}
+
+void declare_display(Command& command, RenderRequest& r) {
+    command.option("--exposure", &r.exposure, "Brighten the .png by that many stops",
+                   {.value = "STOPS"});
+    command.choice("--tone-map", r.tone_map,
+                   "How bright light is shown in the .png (the scene's, else neutral; none for the "
+                   "chapter's integrators)");
+    command.choice("--background", r.choices.background,
+                   "What is behind the scene; transparent gives the picture an alpha channel, "
+                   "multiplied in .exr, straight in .png (environment)");
+}
 
 void declare_machine(Command& command, MachineRequest& r) {
     command.option("--device", &r.device,

@@ -51,6 +51,12 @@ struct RenderRequest {
 
 void declare_machine(Command& command, MachineRequest& request);
 
+/// The options of what lights the scene, and of the ground that takes its shadow.
+void declare_light(Command& command, RenderRequest& request);
+
+/// The options of how light is shown in a picture.
+void declare_display(Command& command, RenderRequest& request);
+
 /// Declares every option of `onde render` on its subcommand.
 void declare_options(Command& command, RenderRequest& request);
 

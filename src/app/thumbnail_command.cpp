@@ -1,20 +1,21 @@
 #include "app/thumbnail_command.h"
 
-#include "app/interrupt.h"
-#include "app/progress_line.h"
-#include "app/render_request.h"
+#include "app/picture.h"
 
 #include "core/error.h"
 #include "core/log.h"
 #include "core/output.h"
 #include "core/text.h"
+#include "gpu/buffer.h"
 #include "image/tone.h"
 #include "scene/load.h"
+#include "upload/common_features.h"
 
 #include <algorithm>
 #include <cctype>
 #include <memory>
 #include <set>
+#include <sstream>
 
 namespace onde::app {
 namespace {
@@ -61,22 +62,36 @@ void open_folder(const fs::path& folder) {
         throw InputError("{}: this folder can't be made: {}", folder.string(), problem.message());
 }
 
+/// What the pictures of a batch have in common.
+struct Workshop {
+    Machine& machine;
+    const RenderRequest& request; ///< all but the scene
+    LoadOptions load;
+    /// Of several models: kernels that can do what any of them may ask are compiled once for all.
+    std::optional<SceneFeatures> features;
+    StopOnInterrupt interrupt{};
+};
+
+SessionExtras extras_of(const fs::path& file, const std::optional<SceneFeatures>& features) {
+    SessionExtras extras{.features = features};
+    extras.on_note = [name = printable(file.string())](const std::string& note) {
+        spdlog::info("{}: {}", name, note);
+    };
+    return extras;
+}
+
 /// Returns false when it was interrupted, and then writes nothing.
-bool make_picture(Machine& machine, const RenderRequest& request, const fs::path& path,
-                  const StopOnInterrupt& interrupt) {
+bool make_picture(const Workshop& workshop, const fs::path& file, const fs::path& path) {
     check_writable(path);
-    Session session = open_session(machine, load_requested_scene(request), request);
-    ProgressLine line(request.quiet);
-    const RenderOutcome outcome = session.render([&](const Progress& progress) {
-        line.show(progress);
-        return !interrupt.requested();
-    });
-    line.finish();
+    Session session = open_session(workshop.machine, load_scene(file, workshop.load),
+                                   workshop.request, extras_of(file, workshop.features));
+    if (const gpu::BuildReport& kernels = session.prepare(); !kernels.from_cache)
+        tell_kernels(session, kernels);
+    const RenderOutcome outcome =
+        render_until_done(session, {}, workshop.interrupt, workshop.request.quiet);
     if (outcome.interrupted) return false;
-    const Scene& scene = session.scene();
-    write_png(path, straight_alpha(session.picture()),
-              display_of(scene.settings, session.options().integrator),
-              {{"onde:scene_hash", scene_hash(scene)}, {"Software", "Onde " ONDE_VERSION}});
+    write_png(path, straight_alpha(session.picture()), requested_display(session, workshop.request),
+              picture_metadata(session, scene_hash(session.scene()), outcome));
     return true;
 }
 
@@ -91,6 +106,49 @@ std::string list_of(const std::vector<Failure>& failures, size_t files) {
     return list;
 }
 
+/// The same where it is not what ends the program.
+void warn_of(const std::vector<Failure>& failures, size_t files) {
+    if (failures.empty()) return;
+    std::istringstream list(list_of(failures, files));
+    for (std::string line; std::getline(list, line);) spdlog::warn("{}", line);
+}
+
+/// What becomes of the files, one after the other.
+struct Batch {
+    std::vector<Failure> failures{};
+    size_t pictures = 0;
+    bool interrupted = false;
+};
+
+/// What is wrong with a file costs its picture. Throws DeviceError where the device fails, which is
+/// no file's fault.
+void try_picture(const Workshop& workshop, const fs::path& file, const fs::path& path,
+                 Batch& batch) {
+    const auto fail = [&](const char* sentence) { batch.failures.push_back({file, sentence}); };
+    try {
+        batch.interrupted = !make_picture(workshop, file, path);
+        batch.pictures += !batch.interrupted;
+    } catch (const std::bad_alloc&) {
+        fail("out of memory");
+    } catch (const gpu::OutOfMemory& error) {
+        fail(error.what());
+    } catch (const DeviceError& error) {
+        throw DeviceError("{}: {} ({} of the pictures before it were made)",
+                          printable(file.string()), error.what(), batch.pictures);
+    } catch (const std::exception& error) {
+        fail(error.what());
+    }
+}
+
+void make_pictures(const Workshop& workshop, const std::vector<fs::path>& files,
+                   const std::vector<fs::path>& paths, Batch& batch) {
+    for (size_t i = 0; i < files.size() && !batch.interrupted; ++i) {
+        spdlog::info("{} of {}: {} to {}", i + 1, files.size(), printable(files[i].string()),
+                     printable(paths[i].string()));
+        try_picture(workshop, files[i], paths[i], batch);
+    }
+}
+
 /// Returns whether it was interrupted.
 bool run(const ThumbnailRequest& request) {
     set_up_logging(request.render.quiet);
@@ -100,26 +158,19 @@ bool run(const ThumbnailRequest& request) {
     open_folder(request.folder);
     const std::vector<fs::path> paths = picture_paths(request.files, request.folder);
     Machine machine = open_machine(one.machine);
-    const StopOnInterrupt interrupt;
-    std::vector<Failure> failures;
-    bool complete = true;
-    for (size_t i = 0; i < paths.size() && complete; ++i) {
-        one.scene = request.files[i];
-        spdlog::info("{} of {}: {} to {}", i + 1, paths.size(), printable(one.scene.string()),
-                     printable(paths[i].string()));
-        try {
-            complete = make_picture(machine, one, paths[i], interrupt);
-        } catch (const std::bad_alloc&) {
-            failures.push_back({one.scene, "out of memory"});
-        } catch (const std::exception& error) {
-            failures.push_back({one.scene, error.what()});
-        }
+    Workshop workshop{machine, one, requested_load(one), {}};
+    if (paths.size() > 1) workshop.features = model_features();
+    Batch batch;
+    try {
+        make_pictures(workshop, request.files, paths, batch);
+    } catch (const DeviceError&) {
+        warn_of(batch.failures, paths.size());
+        throw;
     }
-    if (failures.empty()) return !complete;
-    const std::string list = list_of(failures, paths.size());
-    if (complete) throw InputError(list);
-    spdlog::warn("{}", list);
-    return true;
+    if (!batch.interrupted && !batch.failures.empty())
+        throw InputError(list_of(batch.failures, paths.size()));
+    warn_of(batch.failures, paths.size());
+    return batch.interrupted;
 }
 
 } // namespace
@@ -138,9 +189,8 @@ void add_thumbnail_command(Command& root, bool& interrupted) {
                    "Samples per pixel (each scene's, else 64)", {.value = "N"});
     declare_load(command, request->render.load);
     declare_machine(command, request->render.machine);
-    command.choice("--background", request->render.choices.background,
-                   "What is behind the models; transparent gives the pictures an alpha channel "
-                   "(environment)");
+    declare_light(command, request->render);
+    declare_display(command, request->render);
     command.flag("--quiet", request->render.quiet, "Print warnings and errors only");
     command.on_run([request, &interrupted] { interrupted = run(*request); });
 }

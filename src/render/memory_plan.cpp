@@ -1,6 +1,6 @@
 #include "render/memory_plan.h"
 
-#include "core/error.h"
+#include "gpu/buffer.h"
 
 #include <algorithm>
 
@@ -11,9 +11,9 @@ void check_buffers(const std::vector<gpu::BufferSize>& buffers, const char* reme
                    const gpu::DeviceFacts& facts) {
     for (const gpu::BufferSize& buffer : buffers)
         if (buffer.bytes > facts.max_allocation)
-            throw DeviceError("the {} take {} in one buffer, but {} allows {}; {}", buffer.name,
-                              size_text(buffer.bytes), facts.name, size_text(facts.max_allocation),
-                              remedy);
+            throw gpu::OutOfMemory("the {} take {} in one buffer, but {} allows {}; {}",
+                                   buffer.name, size_text(buffer.bytes), facts.name,
+                                   size_text(facts.max_allocation), remedy);
 }
 
 } // namespace
@@ -33,12 +33,12 @@ void check_memory(const MemoryPlan& plan, const gpu::DeviceFacts& facts) {
     check_buffers(plan.paths, "use a smaller --wave-size", facts);
     check_buffers(plan.film, "use a smaller --size", facts);
     if (plan.bytes() <= facts.global_memory) return;
-    throw DeviceError("the render takes {} (scene {}, paths in flight {}, film {}), but {} has {}; "
-                      "use a smaller scene, --wave-size or --size",
-                      size_text(plan.bytes()), size_text(gpu::total_bytes(plan.scene)),
-                      size_text(gpu::total_bytes(plan.paths)),
-                      size_text(gpu::total_bytes(plan.film)), facts.name,
-                      size_text(facts.global_memory));
+    throw gpu::OutOfMemory(
+        "the render takes {} (scene {}, paths in flight {}, film {}), but {} has {}; "
+        "use a smaller scene, --wave-size or --size",
+        size_text(plan.bytes()), size_text(gpu::total_bytes(plan.scene)),
+        size_text(gpu::total_bytes(plan.paths)), size_text(gpu::total_bytes(plan.film)), facts.name,
+        size_text(facts.global_memory));
 }
 
 std::string size_text(uint64_t bytes) {

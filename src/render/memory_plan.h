@@ -37,7 +37,7 @@ struct RenderBuffers {
 /// Whether every buffer, and all of them together, are what the device allows.
 bool fits(const MemoryPlan& plan, const gpu::DeviceFacts& facts);
 
-/// Throws DeviceError unless the plan fits, with what is needed and what there is.
+/// Throws gpu::OutOfMemory unless the plan fits, with what is needed and what there is.
 void check_memory(const MemoryPlan& plan, const gpu::DeviceFacts& facts);
 
 /// "12 B", "3.40 KiB", ... up to GiB.

@@ -12,6 +12,22 @@ constexpr uint32_t ROOM_KINDS =
 
 } // namespace
 
+SceneFeatures model_features() {
+    return {.instances = true,
+            .textures = true,
+            .normal_maps = true,
+            .environment = true,
+            .texture_transforms = true,
+            .nearest_filters = true,
+            .alpha = true,
+            .culling = true,
+            .ground = true,
+            .kinds = ROOM_KINDS | bit(MATERIAL_METALLIC_ROUGHNESS) | bit(MATERIAL_UNLIT),
+            .lights = bit(LIGHT_TRIANGLE) | bit(LIGHT_POINT) | bit(LIGHT_SPOT) |
+                      bit(LIGHT_DIRECTIONAL) | bit(LIGHT_ENVIRONMENT),
+            .stack_size = 96};
+}
+
 std::vector<CommonFeatures> common_features() {
     const SceneFeatures room{
         .spheres = true, .kinds = ROOM_KINDS, .lights = bit(LIGHT_TRIANGLE), .stack_size = 64};
@@ -40,7 +56,8 @@ std::vector<CommonFeatures> common_features() {
             {"textured glTF, small", textured},
             {"textured glTF, large", large},
             {"textured glTF, beyond the cache", large, true},
-            {"everything", everything}};
+            {"everything", everything},
+            {"thumbnails of models", model_features()}};
 }
 
 } // namespace onde

@@ -15,4 +15,8 @@ struct CommonFeatures {
 /// layout is left at its default.
 std::vector<CommonFeatures> common_features();
 
+/// All that a model in a file of other formats than our own may ask of kernels, but for what
+/// vertices carry in memory.
+SceneFeatures model_features();
+
 } // namespace onde

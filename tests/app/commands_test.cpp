@@ -276,7 +276,7 @@ TEST_CASE(
     const std::string prewarmed = output_of(folder, {"cache", "prewarm"}, own);
     CHECK_THAT(prewarmed, Catch::Contains("a closed room with spheres       compiled in "));
     CHECK_THAT(prewarmed, Catch::Contains("textured glTF, beyond the cache  compiled in "));
-    CHECK(std::count(prewarmed.begin(), prewarmed.end(), '\n') == 6);
+    CHECK(std::count(prewarmed.begin(), prewarmed.end(), '\n') == 7);
     const std::string shapes = std::string(ONDE_SOURCE_DIR) + "/scenes/shapes.toml";
     for (const std::string& scene : {std::string(CORNELL), shapes}) {
         INFO(scene);

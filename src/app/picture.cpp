@@ -1,0 +1,43 @@
+#include "app/picture.h"
+
+#include "app/progress_line.h"
+
+#include "core/log.h"
+
+namespace onde::app {
+
+void tell_kernels(const Session& session, const gpu::BuildReport& kernels) {
+    spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", session.options().width,
+                 session.options().height, session.device().facts().name,
+                 kernels.from_cache ? "loaded" : "compiled", kernels.seconds);
+}
+
+RenderOutcome render_until_done(Session& session, const std::string& name,
+                                const StopOnInterrupt& interrupt, bool quiet) {
+    ProgressLine line(quiet, name);
+    const RenderOutcome outcome = session.render([&](const Progress& progress) {
+        line.show(progress);
+        return !interrupt.requested();
+    });
+    line.finish();
+    return outcome;
+}
+
+ImageMetadata picture_metadata(const Session& session, const std::string& hash,
+                               const RenderOutcome& outcome) {
+    return {{"onde:scene_hash", hash},
+            {"onde:seed", std::to_string(session.options().seed)},
+            {"onde:samples", fmt::format("{:.6g}", outcome.samples)},
+            {"onde:device", session.device().facts().name},
+            {"onde:version", ONDE_VERSION},
+            {"Software", "Onde " ONDE_VERSION}};
+}
+
+Display requested_display(const Session& session, const RenderRequest& request) {
+    Display display = display_of(session.scene().settings, session.options().integrator);
+    display.exposure = request.exposure.value_or(display.exposure);
+    display.tone_map = request.tone_map.value_or(display.tone_map);
+    return display;
+}
+
+} // namespace onde::app

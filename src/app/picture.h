@@ -1,0 +1,24 @@
+// A picture on its way to a file, by whatever command.
+#pragma once
+
+#include "app/interrupt.h"
+#include "app/render_request.h"
+
+namespace onde::app {
+
+/// Says which device the session renders on, and what became of its kernels.
+void tell_kernels(const Session& session, const gpu::BuildReport& kernels);
+
+/// Renders until the picture is done or an interrupt is requested; the progress is shown after
+/// `name`, where there is one.
+RenderOutcome render_until_done(Session& session, const std::string& name,
+                                const StopOnInterrupt& interrupt, bool quiet);
+
+/// What a file of the session's picture says about it. `hash` is that of the scene.
+ImageMetadata picture_metadata(const Session& session, const std::string& hash,
+                               const RenderOutcome& outcome);
+
+/// How light is shown: as the request says, else as the scene does.
+Display requested_display(const Session& session, const RenderRequest& request);
+
+} // namespace onde::app

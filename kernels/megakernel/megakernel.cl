@@ -81,7 +81,7 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
         const uint bits = mask_bits(alive);
         Hits hits = trace_bounce(e.view.bvh, state.origin, state.direction, bounce, bits);
 #if ONDE_PASSING
-        const mask may = may_pass(e.view, hits, estimator_culls(state, alive),
+        const mask may = may_pass(e.view, hits, state.direction, estimator_culls(state, alive),
                                   alive & (hits.primitive != BVH_NONE));
         if_any (may) hits = estimator_pass(e, state, hits, id, bounce, may);
 #endif

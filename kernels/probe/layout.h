@@ -134,7 +134,6 @@
     OFFSET(TriangleSurface, vertex)                                                                \
     OFFSET(TriangleSurface, geometric)                                                             \
     OFFSET(TriangleSurface, plane)                                                                 \
-    OFFSET(TriangleSurface, reach)                                                                 \
     SIZE(SphereSurface)                                                                            \
     OFFSET(SphereSurface, tag)                                                                     \
     OFFSET(SphereSurface, light)                                                                   \
@@ -157,7 +156,6 @@
     OFFSET(SurfaceRecord, triangle.vertex)                                                         \
     OFFSET(SurfaceRecord, triangle.geometric)                                                      \
     OFFSET(SurfaceRecord, triangle.plane)                                                          \
-    OFFSET(SurfaceRecord, triangle.reach)                                                          \
     OFFSET(SurfaceRecord, sphere)                                                                  \
     OFFSET(SurfaceRecord, sphere.tag)                                                              \
     OFFSET(SurfaceRecord, sphere.light)                                                            \

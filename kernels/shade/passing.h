@@ -30,27 +30,31 @@ INLINE mask is_culled(SceneView view, Hits hits, real3 seen, natural record, nat
     mask culled = lanes & !is_double_sided(view, material);
     if_any (culled) {
         const natural instance = choose(culled, hits.instance, (natural)(BVH_NONE));
-        const real3 normal = instance_normal(
-            view, instance, RECORD3(view.surfaces, record, SurfaceRecord, triangle.geometric));
+        const real3 normal =
+            placed_normal(placement_of(view, instance),
+                          RECORD3(view.surfaces, record, SurfaceRecord, triangle.geometric));
         culled = culled & !(dot3(normal, seen) < 0.0f);
     }
     return culled;
 }
     #endif
 
-// Which hits of `lanes` may be passed at all; `culls`: as in hit_opacity.
-INLINE mask may_pass(SceneView view, Hits hits, mask culls, mask lanes) {
-    #if !ONDE_CULLING
-    culls = lanes & !lanes;
+// Which hits of `lanes` may be passed at all, by rays of direction `seen`; `culls`: as in
+// hit_opacity. That of backs is known here, as most surfaces show their fronts.
+INLINE mask may_pass(SceneView view, Hits hits, real3 seen, mask culls, mask lanes) {
+    const natural record = choose(lanes, hits.primitive, (natural)(0u));
+    const natural tag = SURFACE_NATURAL(view, record, any.tag);
+    const natural material = SURFACE_MATERIAL(tag);
+    mask may = lanes & !lanes;
+    #if ONDE_CULLING
+    culls = culls & lanes & is_triangle(tag);
+    if_any (culls) may = is_culled(view, hits, seen, record, material, culls);
     #endif
     #if ONDE_ALPHA
-    const natural record = choose(lanes, hits.primitive, (natural)(0u));
-    const natural material = SURFACE_MATERIAL(SURFACE_NATURAL(view, record, any.tag));
     const natural mode = RECORD_NATURAL(view.materials, material, MaterialRecord, alpha_mode);
-    return lanes & (culls | (mode != ALPHA_OPAQUE));
-    #else
-    return lanes & culls;
+    may = may | (lanes & (mode != ALPHA_OPAQUE));
     #endif
+    return may;
 }
 
 // The opacity of what the rays of `lanes` have hit. `seen` is the direction of sight, in which the

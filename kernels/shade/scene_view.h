@@ -67,4 +67,8 @@ typedef struct {
     const SceneView view = {frame,                                                                 \
                             {BVH_BUFFERS(BVH_ARGUMENT) bvh_root} SCENE_BUFFERS(SCENE_ARGUMENT)}
 
+// A field of a surface's own record, a float or uint: SURFACE_FIELD(view, i, sphere.radius).
+#define SURFACE_FIELD(view, i, field) RECORD(view.surfaces, i, SurfaceRecord, field)
+#define SURFACE_NATURAL(view, i, field) RECORD_NATURAL(view.surfaces, i, SurfaceRecord, field)
+
 #endif

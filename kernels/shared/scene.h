@@ -64,11 +64,16 @@ typedef struct {
 
 #define LIGHT_UNLISTED 0xfffffffeu // emits too little to be worth sampling; rays may find it
 
-// A surface's tag: the index of its material, and what it is.
+// A surface's tag: what it is, of a triangle also its reach, and the index of its material. The
+// reach is a length whose rounding bounds that of a hit's distance to the triangle's plane, a power
+// of two of which the tag has the float's exponent.
 #define SURFACE_SPHERE 0x80000000u
 #define SURFACE_SHAPE 0x40000000u // neither: a triangle
 #define SURFACE_FLAT 0x20000000u  // a triangle whose corner normals all are `geometric`
-#define SURFACE_MATERIAL(tag) ((tag)&0x1fffffffu)
+#define SURFACE_REACH_BITS(tag) (((tag) << 2) & 0x7f800000u) // as a float's
+#define SURFACE_REACH(exponent) ((exponent) << 21)
+#define SURFACE_MATERIAL(tag) ((tag)&0x1fffffu)
+#define MOST_MATERIALS 0x200000u
 
 // The corner of a triangle. Unit vectors are octahedral, 2 x 16 bits (see math/elementary.h).
 typedef struct {
@@ -76,7 +81,7 @@ typedef struct {
     float uv[2];
 } VertexRecord;
 
-// 40 bytes, one per primitive. `light`: index into the lights, NO_INDEX, or LIGHT_UNLISTED.
+// 36 bytes, one per primitive. `light`: index into the lights, NO_INDEX, or LIGHT_UNLISTED.
 typedef struct {
     uint tag, light;
 } AnySurface;
@@ -85,19 +90,18 @@ typedef struct {
     uint vertex[3];     // indices of VertexRecords
     float geometric[3]; // unit normal in object space
     float plane;        // dot product of that normal with the triangle's points
-    float reach;        // the length whose rounding bounds that of a hit's distance to the plane
 } TriangleSurface;
 typedef struct {
     uint tag, light;
     float center[3]; // in the world
     float radius;
-    uint unused[4];
+    uint unused[3];
 } SphereSurface;
 typedef struct {
     uint tag, light;
     uint shape; // SHAPE_...
     float minor_radius;
-    uint unused[6];
+    uint unused[5];
 } ShapeSurface;
 typedef union {
     AnySurface any;

@@ -33,7 +33,7 @@ INLINE void pass_columns(Estimator e, WaveView wave, uint bounce, uint begin, ui
         const mask lanes = group_lanes(i, end);
         const Hits hits = load_hits(wave_hits(wave), i);
         const State state = load_state(wave.state, i);
-        const mask may = may_pass(e.view, hits, estimator_culls(state, lanes),
+        const mask may = may_pass(e.view, hits, state.direction, estimator_culls(state, lanes),
                                   lanes & (hits.primitive != BVH_NONE));
         if (!mask_bits(may)) continue;
         const natural id = choose(lanes, load_id(wave, i), (natural)(0u));

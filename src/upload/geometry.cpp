@@ -26,8 +26,15 @@ glm::vec3 unit_or(glm::vec3 v, glm::vec3 fallback) {
 /// Where a triangle lies, see TriangleSurface.
 struct TrianglePlane {
     glm::vec3 normal;
-    float offset, reach;
+    float offset;
+    uint32_t reach; // the exponent of the next power of two, as floats have it
 };
+
+uint32_t exponent_above(double length) {
+    int exponent = 0;
+    std::frexp(length, &exponent);
+    return uint32_t(std::clamp(exponent + 127, 1, 254));
+}
 
 /// Corners and edges are rounded, and traversal computes the normal from the edges: of a narrow
 /// triangle it is off by the edges' length over the triangle's height.
@@ -36,13 +43,13 @@ TrianglePlane triangle_plane(const glm::vec3 (&p)[3], float orientation) {
     const glm::dvec3 a(p[0]), b(p[1]), c(p[2]);
     const glm::dvec3 across = glm::cross(b - a, c - a) * double(orientation);
     const double area2 = glm::length(across);
-    TrianglePlane plane{glm::vec3(0, 0, 1), 0.0f, 0.0f};
+    TrianglePlane plane{glm::vec3(0, 0, 1), 0.0f, 0};
     if (area2 > 0.0 && std::isfinite(area2)) plane.normal = glm::vec3(across / area2);
     plane.offset = float(glm::dot(glm::dvec3(plane.normal), (a + b + c) / 3.0));
     const double edge = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
     const double narrow = area2 > 0.0 ? std::min(edge * edge / area2, MOST_NARROW) : MOST_NARROW;
     const glm::vec3 far = glm::max(glm::max(glm::abs(p[0]), glm::abs(p[1])), glm::abs(p[2]));
-    plane.reach = float(double(std::max({far.x, far.y, far.z})) + edge * narrow);
+    plane.reach = exponent_above(double(std::max({far.x, far.y, far.z})) + edge * narrow);
     return plane;
 }
 
@@ -216,7 +223,6 @@ class MeshWriter {
         surface.light = NO_INDEX;
         copy(surface.geometric, geometric);
         surface.plane = plane.offset;
-        surface.reach = plane.reach;
         bool flat = true;
         if (has_vertices(mesh)) {
             const uint32_t normal = encode_octahedral(geometric);
@@ -226,7 +232,7 @@ class MeshWriter {
                 flat &= mesh.normals.empty() || flat_.vertices[surface.vertex[k]].normal == normal;
             }
         }
-        surface.tag = material | (flat ? SURFACE_FLAT : 0);
+        surface.tag = material | SURFACE_REACH(plane.reach) | (flat ? SURFACE_FLAT : 0);
         if (emits(scene_.materials[material]))
             flat_.emissive.push_back(emissive_triangle(primitive, material, p, orientation_));
         flat_.surfaces.emplace_back().triangle = surface;

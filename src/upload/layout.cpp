@@ -11,7 +11,7 @@ static_assert(sizeof(TriangleBlock) == 320 && offsetof(TriangleBlock, primitive)
 static_assert(sizeof(BvhCompressed) == 80 && offsetof(BvhCompressed, low_x) == 32);
 static_assert(sizeof(BvhPair) == 64 && sizeof(BvhSlot) == 48);
 static_assert(sizeof(BvhSphere) == 32 && sizeof(BvhInstance) == 128);
-static_assert(sizeof(SurfaceRecord) == 40 && sizeof(VertexRecord) == 12);
+static_assert(sizeof(SurfaceRecord) == 36 && sizeof(VertexRecord) == 12);
 static_assert(sizeof(LightRecord) % 4 == 0 && sizeof(TextureRecord) == 64 &&
               sizeof(AliasRecord) == 16);
 static_assert(sizeof(FrameRecord) % 16 == 0 && offsetof(FrameRecord, filter_table) % 16 == 0);

@@ -1,5 +1,6 @@
 #include "upload/pack.h"
 
+#include "core/error.h"
 #include "scene/phong.h"
 #include "upload/bvh_arrays.h"
 #include "upload/geometry.h"
@@ -93,6 +94,9 @@ static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry 
 }
 
 PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
+    if (scene.materials.size() > MOST_MATERIALS)
+        throw InputError("the scene has {} materials; at most {} can be told apart",
+                         scene.materials.size(), MOST_MATERIALS);
     PackedScene packed;
     FlatGeometry flat = flatten_geometry(scene);
     build_tree(packed, flat, options);

@@ -161,6 +161,8 @@ void print_text(const Scene& scene, const SceneSummary& summary, const DeviceMem
                    glm::degrees(scene.cameras[i].vertical_fov));
     print_settings(scene.settings);
     fmt::print("bounds        {} to {}\n", vector_text(bounds.low), vector_text(bounds.high));
+    if (const glm::dvec3& o = scene.origin; o != glm::dvec3(0.0))
+        fmt::print("origin        {} {} {} in the file\n", o.x, o.y, o.z);
     fmt::print("host memory   {}\n", size_text(summary.host_bytes));
     print_memory(memory);
     fmt::print("hash          {}\n", scene_hash(scene));
@@ -202,29 +204,31 @@ Json json_memory(const DeviceMemory& memory) {
 
 void print_json(const Scene& scene, const SceneSummary& summary, const DeviceMemory& memory) {
     const SceneBounds bounds = scene_bounds(scene);
-    fmt::print("{}", json_text({{"unique_triangles", summary.unique_triangles},
-                                {"instanced_triangles", summary.instanced_triangles},
-                                {"emissive_triangles", summary.emissive_triangles},
-                                {"meshes", scene.meshes.size()},
-                                {"instances", scene.instances.size()},
-                                {"spheres", scene.spheres.size()},
-                                {"shapes", json_counts(summary.shapes)},
-                                {"materials", json_counts(summary.materials)},
-                                {"textures", scene.textures.size()},
-                                {"texture_bytes", summary.texture_bytes},
-                                {"point_lights", scene.point_lights.size()},
-                                {"directional_lights", scene.directional_lights.size()},
-                                {"area_lights", json_counts(summary.area_lights)},
-                                {"environment_radiance", json_vector(scene.environment.radiance)},
-                                {"environment_map", scene.environment.map.has_value()},
-                                {"cameras", json_cameras(scene.cameras)},
-                                {"settings", json_fields(scene.settings)},
-                                {"bounds",
-                                 Json::array({json_vector(bounds.low), json_vector(bounds.high)})},
-                                {"host_bytes", summary.host_bytes},
-                                {"device_memory", json_memory(memory)},
-                                {"hash", scene_hash(scene)},
-                                {"notes", scene.notes}}));
+    fmt::print(
+        "{}",
+        json_text({{"unique_triangles", summary.unique_triangles},
+                   {"instanced_triangles", summary.instanced_triangles},
+                   {"emissive_triangles", summary.emissive_triangles},
+                   {"meshes", scene.meshes.size()},
+                   {"instances", scene.instances.size()},
+                   {"spheres", scene.spheres.size()},
+                   {"shapes", json_counts(summary.shapes)},
+                   {"materials", json_counts(summary.materials)},
+                   {"textures", scene.textures.size()},
+                   {"texture_bytes", summary.texture_bytes},
+                   {"point_lights", scene.point_lights.size()},
+                   {"directional_lights", scene.directional_lights.size()},
+                   {"area_lights", json_counts(summary.area_lights)},
+                   {"environment_radiance", json_vector(scene.environment.radiance)},
+                   {"environment_map", scene.environment.map.has_value()},
+                   {"cameras", json_cameras(scene.cameras)},
+                   {"settings", json_fields(scene.settings)},
+                   {"bounds", Json::array({json_vector(bounds.low), json_vector(bounds.high)})},
+                   {"origin", Json::array({scene.origin.x, scene.origin.y, scene.origin.z})},
+                   {"host_bytes", summary.host_bytes},
+                   {"device_memory", json_memory(memory)},
+                   {"hash", scene_hash(scene)},
+                   {"notes", scene.notes}}));
 }
 
 } // namespace

@@ -14,6 +14,14 @@ inline float radians_of(float degrees) {
     return glm::radians(degrees);
 }
 
+inline double radians_of(double degrees) {
+    return glm::radians(std::remainder(degrees, 360.0));
+}
+
+inline glm::dvec3 radians_of(const glm::dvec3& degrees) {
+    return {radians_of(degrees.x), radians_of(degrees.y), radians_of(degrees.z)};
+}
+
 inline glm::vec3 radians_of(const glm::vec3& degrees) {
     return {radians_of(degrees.x), radians_of(degrees.y), radians_of(degrees.z)};
 }

@@ -45,6 +45,8 @@ enum class Form {
     plain,
     color,          ///< in files three numbers, or one for all
     degrees,        ///< in files; the member holds radians
+    point,          ///< in files in their coordinates; the member is counted from the origin
+    height,         ///< the same of a y alone
     length,         ///< of world units: grows with what it belongs to
     travel,         ///< in files the way that light travels; the member is the unit vector against
     srgb_texture,   ///< in files an image; the member is an index, or NO_TEXTURE

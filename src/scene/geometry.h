@@ -53,7 +53,7 @@ struct Sphere {
 };
 
 constexpr auto fields_of(TypeTag<Sphere>) {
-    return std::tuple{field("center", &Sphere::center, ""),
+    return std::tuple{field("center", &Sphere::center, "", {.form = Form::point}),
                       field("radius", &Sphere::radius, "", {.range = POSITIVE}),
                       field_without_key(&Sphere::material, "material", {.form = Form::material})};
 }

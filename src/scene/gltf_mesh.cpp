@@ -213,9 +213,10 @@ Index MeshLoader::build(const MeshSource& source, uint32_t mesh, const Pose& pos
                              MAX_VERTICES);
     }
     const std::string name = source.name.empty() ? fmt::format("mesh {}", mesh) : source.name;
-    Mesh joined = join_parts(shown(name), std::move(parts), file_.notes);
-    if (joined.triangles.empty()) return std::nullopt;
-    scene_.meshes.push_back(std::move(joined));
+    JoinedMesh joined = join_parts(shown(name), std::move(parts), file_.notes);
+    if (joined.mesh.triangles.empty()) return std::nullopt;
+    scene_.meshes.push_back(std::move(joined.mesh));
+    origins_.push_back(joined.origin);
     return uint32_t(scene_.meshes.size() - 1);
 }
 

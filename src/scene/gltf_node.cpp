@@ -1,15 +1,14 @@
 // The node tree of glTF (section 3.5): where meshes, cameras and lights stand.
 #include "core/error.h"
 #include "scene/gltf_choice.h"
+#include "scene/gltf_placement.h"
 #include "scene/gltf_scene.h"
-#include "scene/merge.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 namespace onde::gltf {
 
@@ -42,6 +41,7 @@ class NodeTraversal {
             stack_.pop_back();
             enter(visit);
         }
+        place(file_, placements_, meshes_.origins(), scene_);
     }
 
   private:
@@ -59,13 +59,12 @@ class NodeTraversal {
     void add_skinned(const Node& node, const std::string& user);
     void add_copies(const Node& node, uint32_t mesh, const glm::dmat4& to_world,
                     const std::string& user);
-    void add_instance(uint32_t mesh, const glm::mat4& to_world, const std::string& user);
-    void add_camera(uint32_t camera, const glm::mat4& to_world, const std::string& user);
-    void add_light(uint32_t light, const glm::mat4& to_world, const std::string& user);
+    void add_instance(uint32_t mesh, const glm::dmat4& to_world, const std::string& user);
 
     File& file_;
     Scene& scene_;
     MeshLoader meshes_;
+    Placements placements_;
     std::optional<NodeWorlds> worlds_;                   ///< where skins need them
     std::map<uint32_t, std::vector<glm::dmat4>> joints_; ///< matrices, by skin
     std::vector<bool> visited_;
@@ -88,8 +87,8 @@ void NodeTraversal::enter(const Visit& visit) {
         throw InputError("{}: {}: its transform is not finite; export it again", file_.name, user);
     if (!node.visible) return file_.notes.add("Nodes that the file hides are skipped", user);
     if (node.mesh) add_mesh(node, to_world, user);
-    if (node.camera) add_camera(*node.camera, glm::mat4(to_world), user);
-    if (node.light) add_light(*node.light, glm::mat4(to_world), user);
+    if (node.camera) placements_.cameras.push_back({*node.camera, visit.node, to_world});
+    if (node.light) placements_.lights.push_back({*node.light, visit.node, to_world});
     push(node.children, to_world, visit.depth + 1, user);
 }
 
@@ -98,13 +97,6 @@ bool has_joints(const MeshSource& mesh) {
         return primitive.attributes.contains("JOINTS_0") &&
                primitive.attributes.contains("WEIGHTS_0");
     });
-}
-
-/// Whether a transform flattens space, as exporters do to hide an object.
-bool is_flat(const glm::mat4& m) {
-    const glm::mat4 inverse = glm::inverse(m);
-    return glm::determinant(m) == 0.0f || !std::all_of(&inverse[0][0], &inverse[0][0] + 16,
-                                                       [](float x) { return std::isfinite(x); });
 }
 
 void NodeTraversal::add_mesh(const Node& node, const glm::dmat4& to_world,
@@ -118,7 +110,7 @@ void NodeTraversal::add_mesh(const Node& node, const glm::dmat4& to_world,
     if (node.instancing)
         add_copies(node, *mesh, to_world, user);
     else
-        add_instance(*mesh, glm::mat4(to_world), user);
+        add_instance(*mesh, to_world, user);
 }
 
 /// The joints place such a mesh, not the node (section 3.7.3.3).
@@ -128,7 +120,7 @@ void NodeTraversal::add_skinned(const Node& node, const std::string& user) {
     const auto [joints, is_new] = joints_.try_emplace(*node.skin);
     if (is_new) joints->second = joint_matrices(file_, *node.skin, *worlds_);
     const Index mesh = meshes_.load(*node.mesh, {node.weights, joints->second}, node.skin, user);
-    if (mesh) add_instance(*mesh, glm::mat4(1.0f), user);
+    if (mesh) add_instance(*mesh, glm::dmat4(1.0), user);
 }
 
 /// The copies of EXT_mesh_gpu_instancing, each with a transform of its own before the node's.
@@ -155,69 +147,21 @@ void NodeTraversal::add_copies(const Node& node, uint32_t mesh, const glm::dmat4
         for (size_t c = 0; c < 3 && !scales.empty(); ++c) copy.scale[c] = scales[3 * i + c];
         const glm::dmat4 placed = to_world * local_transform(file_, copy, user);
         if (finite(placed))
-            add_instance(mesh, glm::mat4(placed), user);
+            add_instance(mesh, placed, user);
         else
             file_.notes.wrong("Instances whose transform is not finite are skipped", user);
     }
 }
 
-void NodeTraversal::add_instance(uint32_t mesh, const glm::mat4& to_world,
+void NodeTraversal::add_instance(uint32_t mesh, const glm::dmat4& to_world,
                                  const std::string& user) {
-    if (is_flat(to_world)) {
+    if (is_flat(glm::mat4(to_world))) {
         file_.notes.add("Objects scaled to nothing are skipped", user);
         return;
     }
     // With the box and the record that upload and tree need for each.
-    file_.context.spend(1, 4 * sizeof(Instance), file_.where(user));
-    scene_.instances.push_back({mesh, to_world});
-}
-
-void NodeTraversal::add_camera(uint32_t index, const glm::mat4& to_world, const std::string& user) {
-    const CameraSource& source = at(file_, file_.document.cameras, index, "camera", user);
-    const std::string name = fmt::format("camera {}", index);
-    if (is_flat(to_world)) {
-        file_.notes.wrong("Cameras scaled to nothing are skipped", user);
-        return;
-    }
-    Camera camera;
-    camera.name = source.name;
-    camera.camera_to_world = rigid_part(to_world);
-    if (!source.perspective) {
-        if (!(source.ymag > 0.0))
-            throw InputError("{}: {}: its ymag {} is not above 0; export it again", file_.name,
-                             name, source.ymag);
-        camera.orthographic_height = float(2.0 * source.ymag);
-    } else if (source.yfov > 0.0 && source.yfov < std::numbers::pi) {
-        camera.vertical_fov = float(source.yfov);
-    } else {
-        throw InputError("{}: {}: its yfov {} does not lie between 0 and pi; export it again",
-                         file_.name, name, source.yfov);
-    }
-    const double aspect = source.aspect_ratio.value_or(0.0);
-    if (aspect >= 1e-3 && aspect <= 1e3) camera.aspect_ratio = float(aspect);
-    file_.context.spend(1, sizeof(Camera), file_.where(user));
-    scene_.cameras.push_back(camera);
-}
-
-/// Candela and lux are taken as W/sr and W/m^2: only ratios show in a picture.
-void NodeTraversal::add_light(uint32_t index, const glm::mat4& to_world, const std::string& user) {
-    const LightSource& source = at(file_, file_.document.lights, index, "light", user);
-    const glm::vec3 color(source.color[0], source.color[1], source.color[2]);
-    const glm::vec3 intensity = glm::max(color, 0.0f) * std::max(0.0f, float(source.intensity));
-    file_.context.spend(1, 256, file_.where(user)); // with its record and its weight
-    if (source.type == "directional") {
-        if (is_flat(to_world)) return;
-        const glm::vec3 to_light = glm::normalize(glm::vec3(to_world[2])); // it shines along -Z
-        scene_.directional_lights.push_back({to_light, intensity});
-    } else if (source.type == "spot") {
-        if (is_flat(to_world)) return;
-        SpotLight spot{glm::vec3(to_world[3]), glm::normalize(glm::vec3(to_world[2])), intensity};
-        spot.half_angle = float(std::clamp(source.outer_cone, 0.002, 0.5 * std::numbers::pi));
-        spot.inner_angle = float(std::clamp(source.inner_cone, 0.0, source.outer_cone));
-        scene_.spot_lights.push_back(spot);
-    } else {
-        scene_.point_lights.push_back({glm::vec3(to_world[3]), intensity});
-    }
+    file_.context.spend(1, 4 * sizeof(Instance) + sizeof(Placement), file_.where(user));
+    placements_.meshes.push_back({.index = mesh, .to_world = to_world});
 }
 
 /// Nodes that no other node has as a child, for files without scenes.

@@ -1,10 +1,12 @@
 #include "scene/gltf_pose.h"
 
 #include "core/error.h"
+#include "scene/origin.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace onde::gltf {
 
@@ -68,17 +70,27 @@ std::optional<glm::dmat4> blended(const File& file, const std::vector<Influence>
     return sum * (1.0 / total);
 }
 
+/// Counts them from a point near them where they are far out.
+void set_positions(MeshPart& part, std::span<const glm::dvec3> positions) {
+    Extent extent;
+    for (const glm::dvec3& p : positions)
+        if (std::isfinite(p.x + p.y + p.z)) extent.grow(p);
+    part.origin = origin_of(extent, FAR_SKIN);
+    part.positions = counted_from(part.origin, positions);
+}
+
 void skin(File& file, const Primitive& primitive, const std::vector<glm::dmat4>& joints,
           const std::string& user, MeshPart& part) {
     const std::vector<Influence> sets =
         read_influences(file, primitive, part.positions.size(), user);
-    for (size_t i = 0; i < part.positions.size(); ++i) {
+    std::vector<glm::dvec3> posed(part.positions.begin(), part.positions.end());
+    for (size_t i = 0; i < posed.size(); ++i) {
         const auto matrix = blended(file, sets, joints, i, user);
         if (!matrix) {
             file.notes.wrong("Vertices of skins without a joint are left as they are", user);
             continue;
         }
-        part.positions[i] = glm::vec3(*matrix * glm::dvec4(part.positions[i], 1.0));
+        posed[i] = glm::dvec3(*matrix * glm::dvec4(posed[i], 1.0));
         if (part.normals.empty()) continue;
         // The cofactors: the inverse's transpose but for the determinant, and never infinite.
         const glm::dmat3 m(*matrix);
@@ -89,6 +101,7 @@ void skin(File& file, const Primitive& primitive, const std::vector<glm::dmat4>&
         const double length = glm::length(normal);
         part.normals[i] = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
     }
+    set_positions(part, posed);
 }
 
 void add_deltas(const File& file, const Attributes& target, const char* name, double weight,

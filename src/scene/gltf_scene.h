@@ -21,6 +21,9 @@ class MeshLoader {
     /// `skin` tells the poses of one mesh's skins apart.
     Index load(uint32_t mesh, const Pose& pose, Index skin, const std::string& user);
 
+    /// From which the positions of the scene's meshes are counted.
+    const std::vector<glm::dvec3>& origins() const { return origins_; }
+
   private:
     using Key = std::tuple<uint32_t, std::vector<double>, Index>;
 
@@ -31,6 +34,7 @@ class MeshLoader {
     Index variant_;
     std::map<Key, Index> loaded_;
     std::map<std::string, Index> equal_; ///< by what their primitives say
+    std::vector<glm::dvec3> origins_;
     size_t vertices_ = 0;
 };
 

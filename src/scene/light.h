@@ -20,9 +20,10 @@ struct PointLight {
 inline constexpr std::string_view FROM_CHAPTER = "from `chapter_intensity`";
 
 constexpr auto fields_of(TypeTag<PointLight>) {
-    return std::tuple{field("position", &PointLight::position, "", {.required = true}),
-                      field("intensity", &PointLight::intensity, "W/sr",
-                            {.range = NOT_NEGATIVE, .form = Form::color, .absent = FROM_CHAPTER})};
+    return std::tuple{
+        field("position", &PointLight::position, "", {.form = Form::point, .required = true}),
+        field("intensity", &PointLight::intensity, "W/sr",
+              {.range = NOT_NEGATIVE, .form = Form::color, .absent = FROM_CHAPTER})};
 }
 
 /// Shines into a cone: with all its intensity into an inner one, with less toward the rim.
@@ -35,16 +36,17 @@ struct SpotLight {
 };
 
 constexpr auto fields_of(TypeTag<SpotLight>) {
-    return std::tuple{field("position", &SpotLight::position, "", {.required = true}),
-                      field("direction", &SpotLight::back, "the way it shines",
-                            {.form = Form::travel, .required = true}),
-                      field("intensity", &SpotLight::intensity, "W/sr",
-                            {.range = NOT_NEGATIVE, .form = Form::color}),
-                      field("half_angle", &SpotLight::half_angle, "of the cone",
-                            {.range = {.low = 0.1, .high = 180}, .form = Form::degrees}),
-                      field("inner_angle", &SpotLight::inner_angle,
-                            "of the cone in which it has all its intensity",
-                            {.range = {.low = 0, .high = 180}, .form = Form::degrees})};
+    return std::tuple{
+        field("position", &SpotLight::position, "", {.form = Form::point, .required = true}),
+        field("direction", &SpotLight::back, "the way it shines",
+              {.form = Form::travel, .required = true}),
+        field("intensity", &SpotLight::intensity, "W/sr",
+              {.range = NOT_NEGATIVE, .form = Form::color}),
+        field("half_angle", &SpotLight::half_angle, "of the cone",
+              {.range = {.low = 0.1, .high = 180}, .form = Form::degrees}),
+        field("inner_angle", &SpotLight::inner_angle,
+              "of the cone in which it has all its intensity",
+              {.range = {.low = 0, .high = 180}, .form = Form::degrees})};
 }
 
 struct DirectionalLight {
@@ -103,7 +105,7 @@ constexpr auto fields_of(TypeTag<Environment>) {
                       field("ground", &Environment::ground,
                             "y of a plane that shows nothing but the shadow that the scene throws "
                             "in this light and a faint reflection of it",
-                            {.absent = "no ground"})};
+                            {.form = Form::height, .absent = "no ground"})};
 }
 
 } // namespace onde

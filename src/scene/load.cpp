@@ -4,7 +4,10 @@
 #include "core/files.h"
 #include "core/shown.h"
 #include "scene/loaders.h"
+#include "scene/origin.h"
 #include "scene/scale.h"
+
+#include <fmt/format.h>
 
 namespace onde {
 namespace fs = std::filesystem;
@@ -34,6 +37,16 @@ static auto naming(const fs::path& path, const Work& work) try {
     throw InputError("{}: {}", path.string(), error.what());
 }
 
+/// Says where the scene's 0 lies in the file.
+static void note_origin(Scene& scene) {
+    const glm::dvec3& o = scene.origin;
+    if (o == glm::dvec3(0.0)) return;
+    scene.notes.push_back(fmt::format(
+        "The scene lies far from 0 for the digits of floats: it was moved by ({}, {}, {}), which "
+        "leaves its picture as it is; its coordinates are reported as they are after that.",
+        -o.x + 0.0, -o.y + 0.0, -o.z + 0.0));
+}
+
 LoadedScene load_uncompleted(const fs::path& path, const LoadOptions& options) {
     LoadContext context(options);
     Scene scene = load_part(path, context);
@@ -43,6 +56,8 @@ LoadedScene load_uncompleted(const fs::path& path, const LoadOptions& options) {
     bound_environment(scene);
     const int exponent = naming(path, [&] {
         check_scene(scene);
+        if (options.stage) count_from(options.stage->origin, scene);
+        note_origin(scene);
         return bring_to_scale(scene, options.stage ? std::optional(options.stage->exponent)
                                                    : std::nullopt);
     });

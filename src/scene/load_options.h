@@ -32,6 +32,7 @@ constexpr auto enum_words(GroundPlane) {
 
 /// What loading adds to a file by the size of what is in it (stage.h).
 struct Stage {
+    glm::dvec3 origin{0.0};         ///< of its positions, in the file's coordinates
     int exponent = 0;               ///< of two, by which all lengths are multiplied
     std::optional<Camera> camera{}; ///< of a file without one
     std::optional<float> ground{};  ///< height of the plane under it

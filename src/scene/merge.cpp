@@ -114,6 +114,11 @@ static AreaLight placed(AreaLight light, const glm::mat4& transform, uint32_t fi
     return light;
 }
 
+static Environment placed(Environment environment, const glm::mat4& transform) {
+    if (auto& ground = environment.ground) *ground = *ground * transform[1].y + transform[3].y;
+    return environment;
+}
+
 bool emits(const Environment& environment) {
     return environment.radiance.x > 0.0f || environment.radiance.y > 0.0f ||
            environment.radiance.z > 0.0f;
@@ -187,7 +192,7 @@ void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
     }
     append_lights(whole, part, offsets, transform);
     for (const Camera& camera : part.cameras) whole.cameras.push_back(placed(camera, transform));
-    if (!emits(whole.environment)) whole.environment = part.environment;
+    if (!emits(whole.environment)) whole.environment = placed(part.environment, transform);
     take_missing(whole.settings, part.settings);
     take_whitted(whole, part.chapter);
 }

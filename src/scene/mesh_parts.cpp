@@ -28,6 +28,7 @@ static void for_each_attribute(A& a, B& b, const Visit& visit) {
 /// One vertex per corner, each with its face's normal.
 static MeshPart flat_shaded(MeshPart& part) {
     MeshPart flat;
+    flat.origin = part.origin;
     flat.materials = part.materials;
     flat.more_uvs.resize(part.more_uvs.size());
     for (const glm::uvec3& triangle : part.triangles) {
@@ -65,6 +66,13 @@ static void append_part(Mesh& mesh, const MeshPart& part) {
     mesh.materials.insert(mesh.materials.end(), part.materials.begin(), part.materials.end());
 }
 
+static void count_from(const glm::dvec3& origin, MeshPart& part) {
+    if (part.origin == origin) return;
+    const glm::dvec3 step = part.origin - origin;
+    for (glm::vec3& position : part.positions) position = glm::vec3(glm::dvec3(position) + step);
+    part.origin = origin;
+}
+
 static void make_normals_unit(Mesh& mesh, Notes& notes) {
     if (mesh.normals.empty()) return;
     bool repaired = false;
@@ -90,7 +98,7 @@ static void note_degenerate(const Mesh& mesh, Notes& notes) {
         notes.add("Triangles without area can't be hit", mesh.name);
 }
 
-Mesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes) {
+JoinedMesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes) {
     const bool normals = std::any_of(parts.begin(), parts.end(),
                                      [](const MeshPart& part) { return !part.normals.empty(); });
     size_t sets = 0;
@@ -104,10 +112,14 @@ Mesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes) {
             if (!values.empty() && any.empty()) any.push_back(absent);
         });
     }
-    Mesh mesh;
+    JoinedMesh joined;
+    for (const MeshPart& part : parts)
+        if (joined.origin == glm::dvec3(0.0)) joined.origin = part.origin;
+    Mesh& mesh = joined.mesh;
     mesh.name = std::move(name);
     mesh.more_uvs.resize(sets);
     for (MeshPart& part : parts) {
+        count_from(joined.origin, part);
         if (normals && part.normals.empty()) part = flat_shaded(part);
         for_each_attribute(part, has, [&](auto& values, const auto& any, const auto& absent) {
             if (!any.empty() && values.empty()) values.resize(part.positions.size(), absent);
@@ -123,7 +135,7 @@ Mesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes) {
     }
     note_degenerate(mesh, notes);
     make_normals_unit(mesh, notes);
-    return mesh;
+    return joined;
 }
 
 } // namespace onde

@@ -9,6 +9,7 @@ namespace onde {
 
 /// As Mesh, but normals need not be unit. All indices are in range, all numbers finite.
 struct MeshPart {
+    glm::dvec3 origin{0.0}; ///< from which positions are counted
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;               ///< per vertex or empty
     std::vector<glm::vec2> uvs;                   ///< per vertex or empty
@@ -30,10 +31,15 @@ constexpr uint64_t polygon_bytes(uint64_t corners) {
     return corners * (corners <= 4 ? TRIANGLE_BYTES : 160);
 }
 
-/// One mesh of all parts. Where some parts have normals, the others get one vertex per corner with
-/// the face's normal; missing texture coordinates are
-/// 0, missing colours white. Tangents go with normals. Normals are made unit; zero ones are
-/// replaced by a face's normal, with a note. Triangles without area are kept, with a note.
-Mesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes);
+struct JoinedMesh {
+    Mesh mesh;
+    glm::dvec3 origin{0.0}; ///< from which its positions are counted
+};
+
+/// One mesh of all parts, counted from the first of their origins that is not 0. Where some parts
+/// have normals, the others get one vertex per corner with the face's normal; missing texture
+/// coordinates are 0, missing colours white. Tangents go with normals. Normals are made unit; zero
+/// ones are replaced by a face's normal, with a note. Triangles without area are kept, with a note.
+JoinedMesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes);
 
 } // namespace onde

@@ -84,8 +84,10 @@ Scene load_obj(const fs::path& path, LoadContext& context) {
         throw InputError("{}: all faces have positions that are no finite numbers; export it again",
                          name);
     obj::smooth_groups(file);
-    scene.meshes.push_back(
-        obj::build_mesh(file, path.stem().string(), bindings.materials, notes, cost));
+    JoinedMesh joined =
+        obj::build_mesh(file, path.stem().string(), bindings.materials, notes, cost);
+    scene.origin = joined.origin;
+    scene.meshes.push_back(std::move(joined.mesh));
     scene.instances.push_back({0, glm::mat4(1.0f)});
     scene.notes = notes.sentences();
     return scene;

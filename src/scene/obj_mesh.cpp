@@ -1,7 +1,7 @@
 #include "scene/obj_mesh.h"
 
 #include "core/error.h"
-#include "scene/mesh_parts.h"
+#include "scene/origin.h"
 #include "scene/triangulate.h"
 #include "scene/vertex_color.h"
 
@@ -24,8 +24,10 @@ struct CornerHash {
 /// Triangles whose corners all have normals, or none; equal corners share a vertex.
 class PartBuilder {
   public:
-    PartBuilder(const File& file, bool normals, GradualSpending& cost)
-        : file_(file), normals_(normals), cost_(cost) {}
+    PartBuilder(const File& file, const glm::dvec3& origin, bool normals, GradualSpending& cost)
+        : file_(file), normals_(normals), cost_(cost) {
+        part_.origin = origin;
+    }
 
     void add_face(std::span<const Corner> corners, uint32_t material) {
         cost_.add(polygon_bytes(corners.size()));
@@ -51,8 +53,7 @@ class PartBuilder {
         cost_.add(VERTEX_BYTES);
         if (part_.positions.size() >= MAX_VERTICES)
             throw InputError("more than {} vertices; split the file", MAX_VERTICES);
-        // Up to here positions are doubles: what recentres them subtracts the centre here.
-        part_.positions.emplace_back(file_.positions[size_t(corner.position)]);
+        part_.positions.emplace_back(file_.positions[size_t(corner.position)] - part_.origin);
         if (normals_) part_.normals.emplace_back(unit(file_.normals[size_t(corner.normal)]));
         const glm::dvec2 uv =
             corner.uv == NONE ? glm::dvec2(0.0, 1.0) : file_.uvs[size_t(corner.uv)];
@@ -78,11 +79,20 @@ class PartBuilder {
     std::vector<uint32_t> positions_; ///< of the file, by its corners
 };
 
+glm::dvec3 origin_of_faces(const File& file) {
+    Extent extent;
+    for (size_t i = 0; i < file.faces.size(); ++i)
+        for (const Corner& corner : file.corners_of(i))
+            extent.grow(file.positions[size_t(corner.position)]);
+    return origin_of(extent);
+}
+
 } // namespace
 
-Mesh build_mesh(const File& file, const std::string& name, std::span<const uint32_t> materials,
-                Notes& notes, GradualSpending& cost) {
-    PartBuilder smooth(file, true, cost), flat(file, false, cost);
+JoinedMesh build_mesh(const File& file, const std::string& name,
+                      std::span<const uint32_t> materials, Notes& notes, GradualSpending& cost) {
+    const glm::dvec3 origin = origin_of_faces(file);
+    PartBuilder smooth(file, origin, true, cost), flat(file, origin, false, cost);
     bool uvs = false;
     for (size_t i = 0; i < file.faces.size(); ++i) {
         const std::span<const Corner> corners = file.corners_of(i);

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "scene/mesh_parts.h"
+#include "scene/origin.h"
 #include "scene/ply_body.h"
 #include "scene/triangulate.h"
 #include "scene/vertex_color.h"
@@ -82,7 +83,7 @@ class Reader {
         : name_(name), header_(header), body_(name_, file.substr(header.size), header.encoding),
           notes_(notes), context_(context), cost_(context, name) {}
 
-    Mesh read(const std::string& mesh_name) {
+    JoinedMesh read(const std::string& mesh_name) {
         check_elements();
         for (const Element& element : header_.elements)
             if (element.name == "vertex")
@@ -98,8 +99,8 @@ class Reader {
                              "again",
                              name_);
         part_.materials.assign(part_.triangles.size(), 0);
-        // Up to here positions are doubles: what recentres them subtracts the centre here.
-        part_.positions.assign(positions_.begin(), positions_.end());
+        part_.origin = origin_of(extent_of(positions_, part_.triangles));
+        part_.positions = counted_from(part_.origin, positions_);
         hide_bad_positions();
         std::vector<MeshPart> parts;
         parts.push_back(std::move(part_));
@@ -333,8 +334,8 @@ void Reader::skip(const Element& element) {
 
 } // namespace
 
-Mesh read_mesh(const std::string& name, const std::string& mesh_name, std::string_view file,
-               const Header& header, Notes& notes, LoadContext& context) {
+JoinedMesh read_mesh(const std::string& name, const std::string& mesh_name, std::string_view file,
+                     const Header& header, Notes& notes, LoadContext& context) {
     return Reader(name, file, header, notes, context).read(mesh_name);
 }
 

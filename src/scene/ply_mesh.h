@@ -2,14 +2,14 @@
 #pragma once
 
 #include "scene/load_context.h"
+#include "scene/mesh_parts.h"
 #include "scene/ply_header.h"
-#include "scene/scene.h"
 
 namespace onde::ply {
 
 /// Reads the values after the header of the file whose bytes these are, of material 0. What is
 /// wrong costs its part and a note; what lies is an InputError, beginning with `name`.
-Mesh read_mesh(const std::string& name, const std::string& mesh_name, std::string_view file,
-               const Header& header, Notes& notes, LoadContext& context);
+JoinedMesh read_mesh(const std::string& name, const std::string& mesh_name, std::string_view file,
+                     const Header& header, Notes& notes, LoadContext& context);
 
 } // namespace onde::ply

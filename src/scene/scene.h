@@ -18,6 +18,7 @@
 namespace onde {
 
 struct Scene {
+    glm::dvec3 origin{0.0}; ///< in the file's coordinates: where positions are counted from
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Mesh> meshes;

@@ -51,13 +51,14 @@ Stage fit_stage(const std::filesystem::path& path, LoadOptions options,
         options.at = at;
         const LoadedScene loaded = load_uncompleted(path, options);
         if (!fit) {
-            options.stage = Stage{.exponent = loaded.exponent};
+            options.stage = Stage{.origin = loaded.scene.origin, .exponent = loaded.exponent};
             fit.emplace(loaded.scene, options, is_model(path));
         }
         if (!fit->is_wanted()) break;
         fit->add(loaded.scene);
     }
     Stage stage = fit->stage();
+    stage.origin = options.stage->origin;
     stage.exponent = options.stage->exponent;
     return stage;
 }

@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "scene/loaders.h"
 #include "scene/mesh_parts.h"
+#include "scene/origin.h"
 #include "scene/stl.h"
 #include "scene/text.h"
 #include "scene/triangulate.h"
@@ -46,13 +47,15 @@ class FacetMesh {
         }
     }
 
-    Mesh take(const std::string& name, const std::string& mesh_name, Notes& notes) {
+    JoinedMesh take(const std::string& name, const std::string& mesh_name, Notes& notes) {
         if (part_.triangles.empty() && dropped_)
             throw InputError("{}: all facets have positions that are no finite numbers; export it "
                              "again",
                              name);
         if (part_.triangles.empty())
             throw InputError("{}: it holds no triangles; export it again", name);
+        part_.origin = origin_of(extent_of(positions_, part_.triangles));
+        part_.positions = counted_from(part_.origin, positions_);
         std::vector<MeshPart> parts;
         parts.push_back(std::move(part_));
         return join_parts(mesh_name, std::move(parts), notes);
@@ -64,18 +67,18 @@ class FacetMesh {
     }
 
     uint32_t vertex(const glm::dvec3& position) {
-        const auto [found, is_new] =
-            vertices_.try_emplace(position, uint32_t(part_.positions.size()));
-        if (is_new && part_.positions.size() >= MAX_VERTICES)
+        const auto [found, is_new] = vertices_.try_emplace(position, uint32_t(positions_.size()));
+        if (is_new && positions_.size() >= MAX_VERTICES)
             throw InputError("more than {} vertices; split the file", MAX_VERTICES);
-        // Up to here positions are doubles: what recentres them subtracts the centre here.
-        if (is_new) cost_.add(VERTEX_BYTES);
-        if (is_new) part_.positions.emplace_back(position);
+        if (!is_new) return found->second;
+        cost_.add(VERTEX_BYTES);
+        positions_.push_back(position);
         return found->second;
     }
 
     GradualSpending& cost_;
     MeshPart part_;
+    std::vector<glm::dvec3> positions_; ///< of its vertices
     std::unordered_map<glm::dvec3, uint32_t, PositionHash> vertices_;
     std::vector<uint32_t> corners_; ///< of the facet being added
     std::vector<uint32_t> numbers_; ///< of these corners, from 0
@@ -98,7 +101,9 @@ Scene load_stl(const fs::path& path, LoadContext& context) {
         name, bytes, [&](std::span<const glm::dvec3> corners) { mesh.add(corners, notes); }, notes);
     Scene scene;
     scene.materials.emplace_back().name = "default";
-    scene.meshes.push_back(mesh.take(name, path.stem().string(), notes));
+    JoinedMesh joined = mesh.take(name, path.stem().string(), notes);
+    scene.origin = joined.origin;
+    scene.meshes.push_back(std::move(joined.mesh));
     scene.instances.push_back({0, glm::mat4(1.0f)});
     scene.notes = notes.sentences();
     return scene;

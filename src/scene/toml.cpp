@@ -4,6 +4,7 @@
 #include "core/shown.h"
 #include "scene/load.h"
 #include "scene/loaders.h"
+#include "scene/origin.h"
 #include "scene/phong.h"
 #include "scene/toml_depth.h"
 #include "scene/toml_fields.h"
@@ -54,13 +55,35 @@ Scene TomlScene::read(const TableReader& root) {
     read_settings(root);
     for (const TableReader& lesson : root.tables("lesson"))
         scene_.chapter.lesson = read_lesson(lesson);
-    for (const TableReader& camera : root.tables("camera")) read_camera(camera);
     for (const TableReader& material : root.tables("material")) read_material(material);
+    read_places(root);
+    scene_.origin = origin_of(extent_of(scene_));
+    if (scene_.origin != glm::dvec3(0.0)) {
+        forget_places();
+        read_places(root.about(scene_.origin));
+    }
+    return std::move(scene_);
+}
+
+void TomlScene::read_places(const TableReader& root) {
+    for (const TableReader& camera : root.tables("camera")) read_camera(camera);
     for (const TableReader& shape : root.tables("shape")) read_shape(shape);
     for (const TableReader& light : root.tables("light")) read_light(light);
     read_environment(root);
     read_includes(root);
-    return std::move(scene_);
+}
+
+void TomlScene::forget_places() {
+    scene_.instances.clear();
+    scene_.spheres.clear();
+    scene_.shapes.clear();
+    for_each_light_list(scene_, [](auto& lights, auto& intensities, const char*) {
+        lights.clear();
+        intensities.clear();
+    });
+    scene_.chapter.area_lights.clear();
+    scene_.cameras.clear();
+    if (!has_own_environment_) scene_.environment = {};
 }
 
 void TomlScene::read_settings(const TableReader& root) {
@@ -81,11 +104,16 @@ void TomlScene::read_settings(const TableReader& root) {
     }
 }
 
-/// Rotation and translation of a camera at `position` that looks at a target.
+/// From the target to the position, as floats hold them where they can tell the two apart.
+static glm::dvec3 back_of(const glm::dvec3& position, const glm::dvec3& target) {
+    const glm::dvec3 back = glm::dvec3(rounded(position)) - glm::dvec3(rounded(target));
+    return glm::length(back) > 0.0 ? back : position - target;
+}
+
+/// Rotation and translation of a camera at `position` that looks at a target, `back` from it.
 static glm::mat4 camera_to_world(const TableReader& table, const glm::vec3& position,
-                                 const glm::vec3& target) {
+                                 const glm::dvec3& back) {
     const glm::vec3 up = table.vector("up").value_or(glm::vec3(0, 1, 0));
-    const glm::dvec3 back = glm::dvec3(position) - glm::dvec3(target);
     const double distance = glm::length(back);
     if (distance < 1e-20) table.fail("look_at", "must differ from position");
     const glm::dvec3 right = glm::cross(glm::dvec3(up), back / distance);
@@ -98,12 +126,13 @@ static glm::mat4 camera_to_world(const TableReader& table, const glm::vec3& posi
 
 void TomlScene::read_camera(const TableReader& table) {
     table.allow(keys_of<Camera>());
-    const glm::vec3 position = table.require("position", table.vector("position"));
-    const glm::vec3 target = table.require("look_at", table.vector("look_at"));
+    const glm::dvec3 position = table.require("position", table.point("position"));
+    const glm::dvec3 target = table.require("look_at", table.point("look_at"));
+    const glm::dvec3 back = back_of(position, target);
     Camera camera;
-    camera.camera_to_world = camera_to_world(table, position, target);
+    camera.camera_to_world = camera_to_world(table, glm::vec3(position), back);
     camera.vertical_fov = glm::radians(40.0f);
-    camera.focus_distance = float(glm::length(glm::dvec3(position) - glm::dvec3(target)));
+    camera.focus_distance = float(glm::length(back));
     read_fields(table, camera);
     for (const char* key : {"vertical_fov", "orthographic_height"})
         if (camera.screen && table.has(key)) table.fail(key, "can't go with screen; give one");
@@ -159,12 +188,13 @@ void TomlScene::read_environment(const TableReader& root) {
         environment.radiance = glm::vec3(1.0f);
         read_fields(table, environment);
         const auto map = table.text("map");
-        if (!map) continue;
+        if (!map || environment.map) continue;
         const fs::path file = context_.resolve(folder_, *map, table.where("map"));
         if (!fs::exists(file))
             table.fail("map", fmt::format("names '{}', which does not exist", *map));
         environment.map = load_environment(file, glm::vec3(1.0f), 0.0f).map;
     }
+    has_own_environment_ = emits(scene_.environment);
 }
 
 Scene load_toml(const fs::path& path, LoadContext& context,

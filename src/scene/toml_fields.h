@@ -21,6 +21,10 @@ namespace toml_detail {
 
 inline std::optional<float> read(const TableReader& table, std::string_view key,
                                  const FieldRules& rules, TypeTag<float>) {
+    if (rules.form == Form::height) {
+        const auto y = table.height(key);
+        return y ? std::optional(float(*y)) : std::nullopt;
+    }
     const auto value = table.number(key, rules.range);
     return value && rules.form == Form::degrees ? radians_of(*value) : value;
 }
@@ -64,6 +68,10 @@ inline std::optional<std::vector<std::string>> read(const TableReader& table, st
 inline std::optional<glm::vec3> read(const TableReader& table, std::string_view key,
                                      const FieldRules& rules, TypeTag<glm::vec3>) {
     if (rules.form == Form::color) return table.color(key, rules.range);
+    if (rules.form == Form::point) {
+        const auto point = table.point(key);
+        return point ? std::optional(glm::vec3(*point)) : std::nullopt;
+    }
     const auto value = table.vector(key, rules.range);
     if (value && rules.form == Form::travel) {
         const glm::dvec3 travel(*value);

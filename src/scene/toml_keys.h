@@ -61,7 +61,7 @@ struct Placement {
 
 constexpr auto fields_of(TypeTag<Placement>) {
     return std::tuple{
-        field("position", &Placement::position, ""),
+        field("position", &Placement::position, "", {.form = Form::point}),
         field("rotation", &Placement::rotation, "about X, then Y, then Z", {.form = Form::degrees}),
         field("scale", &Placement::scale, "none of them 0", {.form = Form::color})};
 }
@@ -111,7 +111,7 @@ struct Rectangle {
 };
 
 constexpr auto fields_of(TypeTag<Rectangle>) {
-    return std::tuple{field("corner", &Rectangle::corner, ""),
+    return std::tuple{field("corner", &Rectangle::corner, "", {.form = Form::point}),
                       field("edge1", &Rectangle::edge1, ""), field("edge2", &Rectangle::edge2, ""),
                       field("size", &Rectangle::size, "", {.range = POSITIVE})};
 }

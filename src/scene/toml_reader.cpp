@@ -55,6 +55,12 @@ static std::string joined(std::span<const std::string_view> names) {
     return list;
 }
 
+TableReader TableReader::about(const glm::dvec3& origin) const {
+    TableReader reader = *this;
+    reader.origin_ = origin;
+    return reader;
+}
+
 void TableReader::allow(std::span<const std::string_view> keys) const {
     for (const auto& [key, node] : *table_) {
         if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
@@ -63,11 +69,15 @@ void TableReader::allow(std::span<const std::string_view> keys) const {
     }
 }
 
-float TableReader::to_float(const toml::node& node, std::string_view key, Range range) const {
+double TableReader::to_double(const toml::node& node, std::string_view key, Range range) const {
     const std::optional<double> value = node.value<double>();
     if (!value || node.is_boolean()) fail(key, "must be a number");
-    if (range.contains(*value)) return float(*value);
+    if (range.contains(*value)) return *value;
     fail(key, fmt::format("{}, not {}", must_lie_in(range), *value));
+}
+
+float TableReader::to_float(const toml::node& node, std::string_view key, Range range) const {
+    return float(to_double(node, key, range));
 }
 
 std::optional<float> TableReader::number(std::string_view key, Range range) const {
@@ -130,6 +140,25 @@ std::optional<glm::vec3> TableReader::vector(std::string_view key, Range range) 
     return glm::vec3((*values)[0], (*values)[1], (*values)[2]);
 }
 
+std::optional<glm::dvec3> TableReader::exact_vector(std::string_view key) const {
+    if (!color(key, ANY_NUMBER)) return std::nullopt; // or an error
+    const toml::node& node = *table_->get(key);
+    glm::dvec3 value;
+    for (size_t i = 0; i < 3; ++i)
+        value[i] = to_double(node.is_array() ? node.as_array()->at(i) : node, key, ANY_NUMBER);
+    return value;
+}
+
+std::optional<glm::dvec3> TableReader::point(std::string_view key) const {
+    if (!vector(key)) return std::nullopt;
+    return *exact_vector(key) - origin_;
+}
+
+std::optional<double> TableReader::height(std::string_view key) const {
+    if (!number(key)) return std::nullopt;
+    return to_double(*table_->get(key), key, ANY_NUMBER) - origin_.y;
+}
+
 std::optional<glm::vec3> TableReader::color(std::string_view key, Range range) const {
     const toml::node* node = table_->get(key);
     if (node && node->is_number()) return glm::vec3(*number(key, range));
@@ -155,7 +184,7 @@ std::vector<glm::dvec3> TableReader::rows(std::string_view key) const {
         const toml::array* row = node.as_array();
         if (!row || row->size() != 3) fail(key, "must be rows of three numbers");
         glm::dvec3 value;
-        for (size_t i = 0; i < 3; ++i) value[i] = double(to_float(*row->get(i), key, ANY_NUMBER));
+        for (size_t i = 0; i < 3; ++i) value[i] = to_double(*row->get(i), key, ANY_NUMBER);
         result.push_back(value);
     }
     return result;
@@ -187,14 +216,16 @@ std::vector<TableReader> TableReader::tables(std::string_view key) const {
     const toml::node* node = table_->get(key);
     if (!node) return {};
     const std::string path = path_.empty() ? std::string(key) : path_ + "." + std::string(key);
-    if (const toml::table* table = node->as_table()) return {TableReader(*table, file_, path)};
+    if (const toml::table* table = node->as_table())
+        return {TableReader(*table, file_, path).about(origin_)};
     std::vector<TableReader> readers;
     const toml::array* array = node->as_array();
     if (!array) fail(key, fmt::format("must be a table; write [{0}] or [[{0}]]", key));
     for (const toml::node& element : *array) {
         const toml::table* table = element.as_table();
         if (!table) fail(key, fmt::format("must be tables; write [[{}]]", key));
-        readers.emplace_back(*table, file_, fmt::format("{}[{}]", path, readers.size()));
+        const std::string own = fmt::format("{}[{}]", path, readers.size());
+        readers.push_back(TableReader(*table, file_, own).about(origin_));
     }
     return readers;
 }

@@ -31,6 +31,11 @@ class TableReader {
         allow(std::span(keys.begin(), keys.size()));
     }
 
+    /// Reads points as counted from `origin`, in this table and those in it.
+    TableReader about(const glm::dvec3& origin) const;
+
+    const glm::dvec3& origin() const { return origin_; }
+
     bool has(std::string_view key) const { return table_->contains(key); }
 
     std::optional<float> number(std::string_view key, Range range = ANY_NUMBER) const;
@@ -39,6 +44,11 @@ class TableReader {
     std::optional<std::string> text(std::string_view key) const;
     /// Three numbers.
     std::optional<glm::vec3> vector(std::string_view key, Range range = ANY_NUMBER) const;
+    /// The same in double precision, or one number for all three.
+    std::optional<glm::dvec3> exact_vector(std::string_view key) const;
+    /// A point, or the y of one, counted from the origin.
+    std::optional<glm::dvec3> point(std::string_view key) const;
+    std::optional<double> height(std::string_view key) const;
     /// Three numbers, or one for all three.
     std::optional<glm::vec3> color(std::string_view key, Range range) const;
     /// Exactly `count` numbers.
@@ -83,10 +93,12 @@ class TableReader {
   private:
     [[noreturn]] void fail_choice(std::string_view key, const std::string& word,
                                   std::span<const std::string_view> words) const;
+    double to_double(const toml::node& node, std::string_view key, Range range) const;
     float to_float(const toml::node& node, std::string_view key, Range range) const;
 
     const toml::table* table_;
     std::string file_, path_;
+    glm::dvec3 origin_{0.0};
 };
 
 } // namespace onde

@@ -1,5 +1,5 @@
 // The scene that a TOML file is being read into: settings, cameras and materials in toml.cpp,
-// geometry and lights in toml_shapes.cpp.
+// geometry and lights in toml_shapes.cpp, other files in toml_includes.cpp.
 #pragma once
 
 #include "scene/merge.h"
@@ -31,6 +31,9 @@ class TomlScene {
     };
 
     void read_settings(const TableReader& root);
+    /// Reads whatever has a place, counted from the root's origin.
+    void read_places(const TableReader& root);
+    void forget_places();
     void read_camera(const TableReader& table);
     void read_material(const TableReader& table);
     void read_environment(const TableReader& root);
@@ -47,21 +50,23 @@ class TomlScene {
     void add_torus(const TableReader& table, uint32_t material);
     void add_ellipsoid(const TableReader& table, uint32_t material);
     void add_placed(const TableReader& table, Shape shape, const glm::vec3& size);
-    void add_baked(Mesh mesh, const glm::mat4& transform);
+    void add_baked(const TableReader& table, Mesh mesh, const glm::mat4& transform);
     void add_mesh(const TableReader& table);
-    Mesh inline_mesh(const TableReader& table, uint32_t material) const;
+    void add_inline_mesh(const TableReader& table, uint32_t material);
 
     int32_t texture(const TableReader& table, std::string_view key, bool srgb);
     uint32_t material_named_in(const TableReader& table);
     uint32_t default_material();
     uint32_t emitter(const TableReader& table);
-    void add_area_light(const TableReader& table, AreaLight light);
+    void add_area_light(const TableReader& table, AreaLight light, uint32_t material);
     void add_rectangle_light(const TableReader& table);
     void add_disk_light(const TableReader& table);
     void add_sphere_light(const TableReader& table);
-    glm::mat4 placement(const TableReader& table) const;
+    /// What puts things into the scene that are counted from a point of their own.
+    glm::mat4 placement(const TableReader& table, const glm::dvec3& from = glm::dvec3(0.0)) const;
+    /// The table states a placement if `is_placed`.
     void place(const TableReader& table, std::string_view key, const std::string& file,
-               const Part& part, const glm::mat4& transform);
+               const Part& part, bool is_placed);
 
     /// Loads the file once for each material; later calls return the same part. `material` is
     /// given to all of the file's triangles unless it is negative. Shapes take geometry only.
@@ -75,6 +80,9 @@ class TomlScene {
     std::map<std::string, uint32_t> material_of_name_;
     std::map<std::string, Part> parts_;
     int64_t default_material_ = -1;
+    bool has_own_environment_ = false;
+    /// What was made of a table, by its place in the file, so that it is made anew in its place.
+    std::map<std::string, uint32_t> mesh_of_table_, emitter_of_table_;
 };
 
 } // namespace onde

@@ -1,7 +1,7 @@
-// Shapes, lights and includes of Onde's scene format.
+// Shapes and lights of Onde's scene format.
 #include "core/error.h"
 #include "core/shown.h"
-#include "scene/loaders.h"
+#include "scene/origin.h"
 #include "scene/shapes.h"
 #include "scene/toml_fields.h"
 #include "scene/toml_keys.h"
@@ -36,22 +36,13 @@ uint32_t TomlScene::material_named_in(const TableReader& table) {
                            known.empty() ? "none" : known));
 }
 
-glm::mat4 TomlScene::placement(const TableReader& table) const {
-    keys::Placement p;
-    read_fields(table, p);
-    if (!std::isnormal(p.scale.x * p.scale.y * p.scale.z))
-        table.fail("scale", "must not be 0 along any axis, nor extreme");
-    glm::mat4 m = glm::translate(glm::mat4(1.0f), p.position);
-    m = glm::rotate(m, p.rotation.z, glm::vec3(0, 0, 1));
-    m = glm::rotate(m, p.rotation.y, glm::vec3(0, 1, 0));
-    m = glm::rotate(m, p.rotation.x, glm::vec3(1, 0, 0));
-    return glm::scale(m, p.scale);
-}
-
-void TomlScene::add_baked(Mesh mesh, const glm::mat4& transform) {
+void TomlScene::add_baked(const TableReader& table, Mesh mesh, const glm::mat4& transform) {
+    const auto [found, is_new] =
+        mesh_of_table_.try_emplace(table.where(), uint32_t(scene_.meshes.size()));
+    if (is_new) scene_.meshes.emplace_back();
     bake(mesh, transform);
-    scene_.instances.push_back({uint32_t(scene_.meshes.size()), glm::mat4(1.0f)});
-    scene_.meshes.push_back(std::move(mesh));
+    scene_.instances.push_back({found->second, glm::mat4(1.0f)});
+    scene_.meshes[found->second] = std::move(mesh);
 }
 
 void TomlScene::add_sphere(const TableReader& table, uint32_t material) {
@@ -102,7 +93,7 @@ void TomlScene::add_rectangle(const TableReader& table, uint32_t material) {
             if (table.has(key)) table.fail(key, "goes with corner; add corner");
         const glm::vec3 x(rectangle.size.x, 0, 0), y(0, rectangle.size.y, 0);
         const glm::vec3 corner(-0.5f * x.x, -0.5f * y.y, 0.0f);
-        return add_baked(rectangle_mesh(corner, x, y, material), placement(table));
+        return add_baked(table, rectangle_mesh(corner, x, y, material), placement(table));
     }
     for (const char* key : {"position", "rotation", "scale", "size"})
         if (table.has(key)) table.fail(key, "can't go with corner; use corner, edge1 and edge2");
@@ -110,7 +101,7 @@ void TomlScene::add_rectangle(const TableReader& table, uint32_t material) {
     const glm::vec3 edge2 = table.require("edge2", rectangle.edge2);
     if (glm::length(glm::cross(glm::dvec3(edge1), glm::dvec3(edge2))) == 0.0)
         table.fail("edge2", "must not be zero or parallel to edge1");
-    add_baked(rectangle_mesh(*rectangle.corner, edge1, edge2, material), glm::mat4(1.0f));
+    add_baked(table, rectangle_mesh(*rectangle.corner, edge1, edge2, material), glm::mat4(1.0f));
 }
 
 void TomlScene::add_plane(const TableReader& table, uint32_t material) {
@@ -118,13 +109,13 @@ void TomlScene::add_plane(const TableReader& table, uint32_t material) {
     read_fields(table, plane);
     const glm::vec3 corner(-0.5f * plane.size, 0.0f, 0.5f * plane.size);
     const glm::vec3 x(plane.size, 0, 0), minus_z(0, 0, -plane.size);
-    add_baked(rectangle_mesh(corner, x, minus_z, material), placement(table));
+    add_baked(table, rectangle_mesh(corner, x, minus_z, material), placement(table));
 }
 
 void TomlScene::add_box(const TableReader& table, uint32_t material) {
     keys::Box box;
     read_fields(table, box);
-    add_baked(box_mesh(box.size, material), placement(table));
+    add_baked(table, box_mesh(box.size, material), placement(table));
 }
 
 void TomlScene::add_ellipsoid(const TableReader& table, uint32_t material) {
@@ -133,11 +124,14 @@ void TomlScene::add_ellipsoid(const TableReader& table, uint32_t material) {
     add_placed(table, {.kind = ShapeKind::sphere, .material = material}, ellipsoid.radii);
 }
 
-Mesh TomlScene::inline_mesh(const TableReader& table, uint32_t material) const {
+void TomlScene::add_inline_mesh(const TableReader& table, uint32_t material) {
     Mesh mesh;
     mesh.name = "mesh";
-    for (const glm::dvec3& position : table.rows("positions"))
-        mesh.positions.push_back(glm::vec3(position));
+    const std::vector<glm::dvec3> positions = table.rows("positions");
+    Extent extent;
+    for (const glm::dvec3& position : positions) extent.grow(position);
+    const glm::dvec3 origin = origin_of(extent);
+    mesh.positions = counted_from(origin, positions);
     const double count = double(mesh.positions.size());
     for (const glm::dvec3& row : table.rows("triangles")) {
         for (size_t i = 0; i < 3; ++i)
@@ -147,22 +141,21 @@ Mesh TomlScene::inline_mesh(const TableReader& table, uint32_t material) const {
         mesh.triangles.push_back(glm::uvec3(row));
     }
     mesh.materials.assign(mesh.triangles.size(), material);
-    return mesh;
+    add_baked(table, std::move(mesh), placement(table, origin));
 }
 
 void TomlScene::add_mesh(const TableReader& table) {
     keys::MeshFile mesh;
     read_fields(table, mesh);
     if (mesh.file.empty() && !table.has("file"))
-        return add_baked(inline_mesh(table, material_named_in(table)), placement(table));
+        return add_inline_mesh(table, material_named_in(table));
     for (const char* key : {"positions", "triangles"})
         if (table.has(key)) table.fail(key, "can't go with file; give one of them");
     if (fs::path(mesh.file).extension() == ".toml")
         table.fail("file",
                    "must be a .obj, .ply, .stl, .gltf or .glb; include scenes by [[include]]");
     const int64_t material = table.has("material") ? int64_t(material_named_in(table)) : -1;
-    place(table, "file", mesh.file, part(table, "file", mesh.file, true, material),
-          placement(table));
+    place(table, "file", mesh.file, part(table, "file", mesh.file, true, material), true);
 }
 
 void TomlScene::read_shape(const TableReader& table) {
@@ -226,6 +219,9 @@ static void add_light(const TableReader& table, std::vector<Light>& lights,
 /// A black material that emits the light's radiance.
 uint32_t TomlScene::emitter(const TableReader& table) {
     require_measure(table, "radiance");
+    const auto [found, is_new] =
+        emitter_of_table_.try_emplace(table.where(), uint32_t(scene_.materials.size()));
+    if (!is_new) return found->second;
     keys::Emission emission;
     keys::Faces faces;
     read_fields(table, emission);
@@ -236,40 +232,49 @@ uint32_t TomlScene::emitter(const TableReader& table) {
     material.emission = emission.radiance;
     material.two_sided = faces.two_sided;
     scene_.materials.push_back(material);
-    return uint32_t(scene_.materials.size() - 1);
+    return found->second;
 }
 
-void TomlScene::add_area_light(const TableReader& table, AreaLight light) {
+void TomlScene::add_area_light(const TableReader& table, AreaLight light, uint32_t material) {
     read_fields(table, light);
-    light.material = uint32_t(scene_.materials.size() - 1);
-    light.two_sided = scene_.materials.back().two_sided;
+    light.material = material;
+    light.two_sided = scene_.materials[material].two_sided;
     scene_.chapter.area_lights.push_back(light);
 }
 
 void TomlScene::add_rectangle_light(const TableReader& table) {
-    add_rectangle(table, emitter(table));
-    const std::vector<glm::vec3>& corners = scene_.meshes.back().positions; // they go around
-    add_area_light(table, {.kind = AreaLightKind::rectangle,
-                           .position = corners[0],
-                           .edge1 = corners[1] - corners[0],
-                           .edge2 = corners[3] - corners[0]});
+    const uint32_t material = emitter(table);
+    add_rectangle(table, material);
+    const Mesh& mesh = scene_.meshes[scene_.instances.back().mesh];
+    const std::vector<glm::vec3>& corners = mesh.positions; // they go around
+    add_area_light(table,
+                   {.kind = AreaLightKind::rectangle,
+                    .position = corners[0],
+                    .edge1 = corners[1] - corners[0],
+                    .edge2 = corners[3] - corners[0]},
+                   material);
 }
 
 void TomlScene::add_disk_light(const TableReader& table) {
-    add_disk(table, emitter(table));
+    const uint32_t material = emitter(table);
+    add_disk(table, material);
     const glm::mat4& m = scene_.shapes.back().object_to_world;
     const bool mirrored = glm::determinant(glm::mat3(m)) < 0.0f; // the front stays the front
-    add_area_light(table, {.kind = AreaLightKind::disk,
-                           .position = glm::vec3(m[3]),
-                           .edge1 = glm::vec3(m[mirrored ? 0 : 2]),
-                           .edge2 = glm::vec3(m[mirrored ? 2 : 0])});
+    add_area_light(table,
+                   {.kind = AreaLightKind::disk,
+                    .position = glm::vec3(m[3]),
+                    .edge1 = glm::vec3(m[mirrored ? 0 : 2]),
+                    .edge2 = glm::vec3(m[mirrored ? 2 : 0])},
+                   material);
 }
 
 void TomlScene::add_sphere_light(const TableReader& table) {
-    add_sphere(table, emitter(table));
+    const uint32_t material = emitter(table);
+    add_sphere(table, material);
     const Sphere& sphere = scene_.spheres.back();
     add_area_light(
-        table, {.kind = AreaLightKind::sphere, .position = sphere.center, .radius = sphere.radius});
+        table, {.kind = AreaLightKind::sphere, .position = sphere.center, .radius = sphere.radius},
+        material);
 }
 
 void TomlScene::read_light(const TableReader& table) {
@@ -293,62 +298,6 @@ void TomlScene::read_light(const TableReader& table) {
                    LIGHT_LISTS(ONDE_ADD)
 #undef ONDE_ADD
                });
-}
-
-static void keep_geometry(Scene& scene) {
-    for_each_light_list(scene, [](auto& lights, const auto&, const char*) { lights.clear(); });
-    scene.cameras.clear();
-    scene.environment = {};
-    scene.settings = {};
-    ChapterScene materials;
-    materials.phong = std::move(scene.chapter.phong);
-    scene.chapter = std::move(materials);
-}
-
-TomlScene::Part& TomlScene::part(const TableReader& table, std::string_view key,
-                                 const std::string& file, bool geometry_only, int64_t material) {
-    const fs::path path = context_.resolve(folder_, file, table.where(key));
-    if (!fs::exists(path))
-        table.fail(key, fmt::format("names '{}', which does not exist; check the name", file));
-    const auto [found, is_new] =
-        parts_.try_emplace(fmt::format("{} {} {}", geometry_only, material, path.string()));
-    Part& part = found->second;
-    if (!is_new) return part;
-    part.placed = load_part(path, context_, ancestors_);
-    if (geometry_only) keep_geometry(part.placed);
-    for (const std::string& note : part.placed.notes) scene_.notes.push_back(file + ": " + note);
-    part.offsets = append_assets(scene_, part.placed);
-    if (material >= 0)
-        for (size_t i = part.offsets.meshes; i < scene_.meshes.size(); ++i)
-            std::fill(scene_.meshes[i].materials.begin(), scene_.meshes[i].materials.end(),
-                      uint32_t(material));
-    return part;
-}
-
-void TomlScene::place(const TableReader& table, std::string_view key, const std::string& file,
-                      const Part& part, const glm::mat4& transform) {
-    context_.spend(1, placed_bytes(part.placed), table.where(key));
-    try {
-        append_placed(scene_, part.placed, part.offsets, transform);
-    } catch (const InputError& error) {
-        throw InputError("{}: '{}': {}", table.where(key), shown(file), error.what());
-    }
-}
-
-void TomlScene::read_includes(const TableReader& root) {
-    if (!root.has("include")) return;
-    if (root.is_array_of_texts("include")) {
-        for (const std::string& file : root.texts("include"))
-            place(root, "include", file, part(root, "include", file, false, -1), glm::mat4(1.0f));
-        return;
-    }
-    for (const TableReader& table : root.tables("include")) {
-        table.allow(keys_of<keys::Include, keys::Placement>());
-        keys::Include include;
-        read_fields(table, include);
-        const std::string& file = include.file;
-        place(table, "file", file, part(table, "file", file, false, -1), placement(table));
-    }
 }
 
 } // namespace onde

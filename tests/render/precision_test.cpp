@@ -1,6 +1,8 @@
 // The same scene in other coordinates: far away, huge, tiny, seen from afar, turned often.
 #include "render/picture.h"
+#include "scene/scratch.h"
 
+#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
@@ -22,6 +24,63 @@ double difference(const Image& a, const Image& b) {
     double sum = 0;
     for (size_t i = 0; i < a.pixels.size(); i++) sum += std::pow(a.pixels[i] - b.pixels[i], 2.0);
     return std::sqrt(sum / double(a.pixels.size()));
+}
+
+double mean_of(const Image& image) {
+    double sum = 0;
+    for (const float value : image.pixels) sum += value;
+    return sum / double(image.pixels.size());
+}
+
+/// A room corner with a box, a ball, lamps and a model of an OBJ file, all counted from `at`.
+Scene map_scene(const glm::dvec3& at) {
+    const ScratchFolder folder;
+    const auto point = [&](double x, double y, double z, const char* between = ", ") {
+        return fmt::format("{:.7f}{}{:.7f}{}{:.7f}", at.x + x, between, at.y + y, between,
+                           at.z + z);
+    };
+    std::string obj;
+    for (const double x : {-0.9, -0.2})
+        for (const double y : {0.0, 1.1})
+            for (const double z : {0.3, 0.9}) obj += "v " + point(x, y, z, " ") + "\n";
+    folder.write("box.obj", obj + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\n"
+                                  "f 2 6 8 4\n");
+    return load_scene(
+        folder.write("map.toml", fmt::format(R"(
+[camera]
+position = [{}]
+look_at = [{}]
+[[shape]]
+type = "plane"
+position = [{}]
+[[shape]]
+type = "mesh"
+file = "box.obj"
+[[shape]]
+type = "sphere"
+center = [{}]
+radius = 0.5
+[[shape]]
+type = "cylinder"
+radius = 0.3
+height = 0.4
+position = [{}]
+[[light]]
+type = "point"
+position = [{}]
+intensity = 20
+[[light]]
+type = "rectangle"
+corner = [{}]
+edge1 = [1, 0, 0]
+edge2 = [0, 0, 1]
+radiance = 4
+[environment]
+radiance = 0.2
+)",
+                                             point(1, 2, 5), point(0, 0.4, 0), point(0, 0, 0),
+                                             point(0.6, 0.5, 0), point(0.3, 0.2, 1), point(2, 3, 2),
+                                             point(-1, 3, 0))));
 }
 
 /// A sphere of flat triangles, whose rows at the poles are narrow ones.
@@ -112,6 +171,23 @@ TEST_CASE("a scene of a billion kilometres looks as one of a metre") {
     CHECK(difference(small, picture_of(huge)) < 1e-3);
     REQUIRE_FALSE(huge.notes.empty());
     CHECK(huge.notes[0].find("too large") != std::string::npos);
+}
+
+TEST_CASE("a scene that lies far from 0 looks as it does at 0") {
+    const Scene near = loaded("far-none.gltf"), far = loaded("far-node-1e6.gltf");
+    const Image a = picture_of(near), b = picture_of(far);
+    CHECK(difference(a, b) < 2e-3);
+    CHECK(mean_of(a) == Approx(mean_of(b)).epsilon(1e-3));
+}
+
+TEST_CASE("a scene file in map coordinates looks as it does at 0") {
+    const Image near = picture_of(map_scene(glm::dvec3(0)));
+    for (const double far : {3e3, 1.7e4, 1e5, 1e7}) {
+        const Image moved = picture_of(map_scene({far, -0.3 * far, 0.7 * far}));
+        INFO(far << " units away");
+        CHECK(difference(near, moved) < 5e-3);
+        CHECK(mean_of(moved) == Approx(mean_of(near)).epsilon(1e-3));
+    }
 }
 
 TEST_CASE("parallel rays from afar show the contact shadows that near ones do") {

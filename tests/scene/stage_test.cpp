@@ -48,6 +48,31 @@ TEST_CASE("all loads of a stage have the scale of the first, however large they 
     CHECK(scene_bounds(scene).high.x == Approx(std::ldexp(1e12, stage.exponent)));
 }
 
+TEST_CASE("all loads of a stage are counted from the origin of the first, however far out it is") {
+    std::string text = read_file(SLIDE);
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        REQUIRE(text.find(from) != std::string::npos);
+        text.replace(text.find(from), from.size(), to);
+    };
+    replace("\"nodes\": [\n    0", "\"nodes\": [\n    2");
+    replace("\"nodes\": [\n  {", "\"nodes\": [\n  {\"mesh\": 0}, {}, {\"children\": [0], "
+                                 "\"translation\": [4000000.125, 0, 0]}, {");
+    onde::test::ScratchFolder folder;
+    const auto path = folder.write("far.gltf", text);
+    const Stage stage = fit_stage(path, {}, {0.0, 1.0});
+    CHECK(stage.origin.x == Approx(4e6).margin(4));
+    const Stage late = fit_stage(path, {}, {1.0});
+    CHECK(late.origin != stage.origin);
+    for (const double at : {0.0, 1.0}) {
+        const Scene far = load_scene(path, {.at = at, .stage = stage});
+        const Scene near = load_scene(SLIDE, {.at = at});
+        CHECK(far.origin == stage.origin);
+        const glm::dvec3 moved = stage.origin + glm::dvec3(scene_bounds(far).high);
+        CHECK(glm::length(moved - glm::dvec3(4000000.125, 0, 0) -
+                          glm::dvec3(scene_bounds(near).high)) < 1e-5);
+    }
+}
+
 TEST_CASE("a moment of what is not animated is told to be all the same") {
     onde::test::ScratchFolder folder;
     const auto path = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

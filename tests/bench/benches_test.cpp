@@ -91,6 +91,14 @@ TEST_CASE("the build bench measures every builder's rate, cost and memory") {
     }
 }
 
+TEST_CASE("leaves with masks have the picture of cut ones") {
+    const Json list = figures_of("leaves --leaves 2000 --size 64 --spp 64 --repetitions 1");
+    REQUIRE(list.size() == 3);
+    const double masked = list[0].at("mean"), cut = list[1].at("mean"), whole = list[2].at("mean");
+    CHECK(masked == Approx(cut).epsilon(2e-3));
+    CHECK(std::abs(whole - cut) > 5e-3 * cut);
+}
+
 TEST_CASE("benches refuse wrong input with one sentence and exit code 2") {
     const Folder folder;
     folder.write("point.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"

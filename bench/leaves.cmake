@@ -1,0 +1,2 @@
+add_executable(onde_bench_leaves ${CMAKE_CURRENT_LIST_DIR}/leaves.cpp)
+target_link_libraries(onde_bench_leaves PRIVATE onde_session onde_bench_shared)

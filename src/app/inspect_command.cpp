@@ -40,7 +40,8 @@ void run(const InspectRequest& request) {
     fmt::print("pixel {},{} of {}x{}, sample {}\n{}", at.x, at.y, session.options().width,
                session.options().height, at.sample,
                sample_text(report, session.scene(), session.packed()));
-    if (!request.dot.empty()) write_file(request.dot, sample_dot(report, session.scene()));
+    if (!request.dot.empty())
+        write_file(request.dot, sample_dot(report, session.scene(), session.packed()));
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 namespace onde::app {
 namespace {
@@ -138,7 +139,7 @@ std::string text_of(const TreeReport& report, const Scene& scene, const PackedSc
     return TreeWriter(report, scene, packed).write();
 }
 
-std::string dot_of(const TreeReport& report, const Scene& scene) {
+std::string dot_of(const TreeReport& report, const Scene& scene, const PackedScene&) {
     std::string dot = "digraph tree {\n  node [shape=box];\n";
     for (uint32_t i = 0; i < report.nodes.size(); i++) {
         const NodeReport& node = report.nodes[i];
@@ -152,31 +153,57 @@ std::string dot_of(const TreeReport& report, const Scene& scene) {
     return dot + "}\n";
 }
 
+/// Where a bounce meets the ground under the scene, as sees_ground() of kernels/path/ground.h
+/// decides: a ray that shows the scene and has met nothing else.
+std::optional<glm::vec3> ground_point(const PathReport& report, size_t i,
+                                      const PackedScene& packed) {
+    const HitReport& hit = report.bounces[i].hit;
+    const bool shows = i == 0 || report.bounces[i - 1].next_pdf == 0.0f;
+    const float height = packed.ground_height;
+    if (!packed.features.ground || hit.primitive != BVH_NONE || !shows) return std::nullopt;
+    if (!(hit.direction[1] < 0.0f && hit.origin[1] > height)) return std::nullopt;
+    const float t = (height - hit.origin[1]) / hit.direction[1];
+    return glm::vec3(hit.origin[0] + t * hit.direction[0], height,
+                     hit.origin[2] + t * hit.direction[2]);
+}
+
+std::string next_text(const BounceReport& b, bool on_ground) {
+    if (!b.alive) return "ends here";
+    const std::string toward = text(b.next_direction);
+    if (on_ground) return fmt::format("is reflected by its varnish toward {}", toward);
+    const std::string pdf =
+        b.next_pdf > 0 ? fmt::format("{:.6g}", b.next_pdf) : "of a single direction";
+    return fmt::format("goes on toward {}, pdf {}", toward, pdf);
+}
+
 std::string text_of(const PathReport& report, const Scene& scene, const PackedScene& packed) {
     std::string words;
     for (size_t i = 0; i < report.bounces.size(); i++) {
         const BounceReport& b = report.bounces[i];
+        const auto ground = ground_point(report, i, packed);
+        const std::string hit =
+            ground ? fmt::format("meets the ground at ({:.6g}, {:.6g}, {:.6g}), which shows what "
+                                 "is behind it, less the scene's shadow",
+                                 ground->x, ground->y, ground->z)
+                   : hit_text(b.hit, scene, packed);
         words += fmt::format("[{}] throughput {}: {}\n    light found {}\n", i, text(b.throughput),
-                             hit_text(b.hit, scene, packed), text(b.emitted));
-        if (b.hit.primitive == BVH_NONE) continue;
-        words += fmt::format("    {}\n    {}\n", lobes_text(b), light_text(b));
-        if (b.alive)
-            words += fmt::format("    goes on toward {}, pdf {}\n", text(b.next_direction),
-                                 b.next_pdf > 0 ? fmt::format("{:.6g}", b.next_pdf)
-                                                : "of a single direction");
-        else
-            words += "    ends here\n";
+                             hit, text(b.emitted));
+        if (b.hit.primitive != BVH_NONE)
+            words += fmt::format("    {}\n    {}\n", lobes_text(b), light_text(b));
+        if (b.hit.primitive != BVH_NONE || ground)
+            words += fmt::format("    {}\n", next_text(b, ground.has_value()));
     }
     const glm::vec3& sum = report.radiance;
     return words + fmt::format("radiance ({:.6g}, {:.6g}, {:.6g})\n", sum.x, sum.y, sum.z);
 }
 
-std::string dot_of(const PathReport& report, const Scene& scene) {
+std::string dot_of(const PathReport& report, const Scene& scene, const PackedScene& packed) {
     std::string dot = "digraph path {\n  node [shape=box];\n";
     for (size_t i = 0; i < report.bounces.size(); i++) {
         const BounceReport& b = report.bounces[i];
-        dot += fmt::format("  n{} [label=\"{}\\nfound {}\"];\n", i, dot_label(b.hit, scene),
-                           text(b.emitted));
+        const bool on_ground = ground_point(report, i, packed).has_value();
+        dot += fmt::format("  n{} [label=\"{}\\nfound {}\"];\n", i,
+                           on_ground ? "ground" : dot_label(b.hit, scene), text(b.emitted));
         if (i > 0)
             dot += fmt::format("  n{} -> n{} [label=\"throughput {}\"];\n", i - 1, i,
                                text(b.throughput));
@@ -194,8 +221,8 @@ std::string sample_text(const SampleReport& report, const Scene& scene, const Pa
     return std::visit([&](const auto& sample) { return text_of(sample, scene, packed); }, report);
 }
 
-std::string sample_dot(const SampleReport& report, const Scene& scene) {
-    return std::visit([&](const auto& sample) { return dot_of(sample, scene); }, report);
+std::string sample_dot(const SampleReport& report, const Scene& scene, const PackedScene& packed) {
+    return std::visit([&](const auto& sample) { return dot_of(sample, scene, packed); }, report);
 }
 
 } // namespace onde::app

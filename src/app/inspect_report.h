@@ -12,6 +12,6 @@ namespace onde::app {
 std::string sample_text(const SampleReport& report, const Scene& scene, const PackedScene& packed);
 
 /// The same for Graphviz.
-std::string sample_dot(const SampleReport& report, const Scene& scene);
+std::string sample_dot(const SampleReport& report, const Scene& scene, const PackedScene& packed);
 
 } // namespace onde::app

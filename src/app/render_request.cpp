@@ -200,6 +200,9 @@ void check_request(const RenderRequest& r) {
     // "nan" and "inf" are read as numbers.
     if (r.choices.seconds && !(*r.choices.seconds > 0 && std::isfinite(*r.choices.seconds)))
         throw InputError("--time {} is not a positive number of seconds", *r.choices.seconds);
+    for (auto aov = r.aovs.begin(); aov != r.aovs.end(); ++aov)
+        if (std::find(r.aovs.begin(), aov, *aov) != aov)
+            throw InputError("--aov names {} twice; name it once", *aov);
     if (r.exposure && !(std::abs(*r.exposure) <= MOST_STOPS))
         throw InputError("--exposure {} is out of range; use {} to {} stops", *r.exposure,
                          -MOST_STOPS, MOST_STOPS);

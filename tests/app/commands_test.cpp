@@ -79,6 +79,20 @@ TEST_CASE("inspect tells what happened to a pixel, in words and as a graph") {
                Catch::Contains("throughput (1, 1, 1)") && Catch::Contains("\nradiance ("));
 }
 
+TEST_CASE("inspect says where a path meets the ground under a model, and what is behind the rest") {
+    const Folder folder;
+    folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const auto words_at = [&](const char* pixel, const char* ground) {
+        return output_of(folder, {"inspect", "a.obj", "--size", "64x48", "--ground", ground,
+                                  "--dot", "a.dot", "--pixel", pixel});
+    };
+    CHECK_THAT(words_at("32,47", "on"),
+               Catch::Contains("throughput (1, 1, 1): meets the ground at"));
+    CHECK_THAT(content(folder / "a.dot"), Catch::Contains("n0 [label=\"ground\\nfound"));
+    CHECK_THAT(words_at("32,47", "off"), Catch::Contains("(1, 1, 1): leaves the scene toward"));
+    CHECK_THAT(content(folder / "a.dot"), Catch::Contains("n0 [label=\"background\\nfound"));
+}
+
 TEST_CASE("inspect refuses what is no pixel") {
     const Folder folder;
     const std::string scene = ONDE_SOURCE_DIR "/scenes/chapter/five-objects.toml";
@@ -256,7 +270,8 @@ TEST_CASE("PoCL compiles each kernel once, and a binary of it is kept") {
     const fs::path pocl = folder / "pocl";
     fs::create_directories(pocl);
     const Environment own{{"ONDE_CACHE_DIR", (folder / "cache").string()},
-                          {"POCL_CACHE_DIR", pocl.string()}};
+                          {"POCL_CACHE_DIR", pocl.string()},
+                          {"POCL_KERNEL_CACHE", "1"}}; // keeps what it compiles
     CHECK_THAT(output_of(folder, {"cache", "prewarm", CORNELL}, own),
                Catch::Contains(" compiled in "));
     std::map<std::string, int> versions; // of each kernel, as shared objects

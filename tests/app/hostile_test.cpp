@@ -194,6 +194,7 @@ TEST_CASE("an option with a value that makes no sense is refused by its name") {
         {{"--camera", "left"}, "--camera left: no such camera; the scene has 0"},
         {{"--engine", "steam"}, "--engine: steam not in"},
         {{"--bvh", "octree"}, "--bvh: octree not in"},
+        {{"--aov", "depth,alpha,depth"}, "--aov names depth twice"},
         {{"--aov", "depths"}, "--aov: depths not in"},
         {{"--environment", "missing.hdr"}, "missing.hdr: no such file"},
         {{"--environment", "zeros.hdr"}, "zeros.hdr"},

@@ -8,7 +8,6 @@ there are no assets.
 
 import argparse
 import re
-import statistics
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -23,7 +22,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 # Notes that say that a picture lacks something; others tell of choices.
 LOSSES = re.compile(r"KHR_materials_\w+ (is|are) ignored|left out|rendered opaque")
-LEAST_OVERLAP = 0.97  # thin parts and other filters cost the references up to 2 % between themselves
+LEAST_OVERLAP = 0.97  # of union and intersection; the references differ by as much between themselves
 PREFERRED = "blender-cycles", "vray", "three-gpu-pathtracer"
 
 
@@ -77,9 +76,9 @@ def judge(model, rendered, plain, tests):
     result.reasons += [note for note in rendered.notes if LOSSES.search(note)]
     shares = overlaps(model, rendered)
     if shares:
-        middle = statistics.median(shares.values())
-        words = f"covers {100 * middle:.1f} % of what {len(shares)} references cover, and nothing else"
-        (result.remarks if middle >= LEAST_OVERLAP else result.reasons).append(words)
+        agreeing = sum(share >= LEAST_OVERLAP for share in shares.values())
+        words = f"covers what {agreeing} of {len(shares)} references cover, at best to {100 * max(shares.values()):.1f} %"
+        (result.remarks if agreeing else result.reasons).append(words)
     wrong = ticks.broken(model.name, rendered)
     departure = departs(rendered, plain) if plain else ""
     result.broken = bool(wrong or departure)

@@ -27,7 +27,8 @@ def camera_on_orbit(scenario):
     way = (math.sin(phi) * math.sin(theta), math.cos(phi), math.sin(phi) * math.cos(theta))
     radius = scenario["orbit"]["radius"]
     position = [at + radius * part for at, part in zip(target, way)]
-    return {"position": position, "look_at": target, "vertical_fov": scenario["verticalFoV"]}
+    ahead = [at - part for at, part in zip(position, way)]  # the radius may be 0
+    return {"position": position, "look_at": ahead, "vertical_fov": scenario["verticalFoV"]}
 
 
 def with_references(assets):

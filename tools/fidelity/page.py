@@ -42,7 +42,7 @@ def write(results, folder):
 <style>{STYLE}</style>
 <h1>How models look</h1>
 <p>{passed} of {len(results)} pass: they load, show nothing but what their file says, cover what
-reference pictures cover, and the signs that test models carry are right. The references had another
+a reference picture covers, and the signs that test models carry are right. The references had another
 light: compare shapes, textures and materials, not brightness.</p>
 <table><tr><th>model<th>Onde<th>reference<th>verdict</tr>
 {rows}

@@ -1,9 +1,9 @@
 #include "scene/mtl.h"
 
+#include "scene/file_words.h"
 #include "scene/text.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -15,9 +15,10 @@ using text::Words;
 
 constexpr size_t MAX_MATERIALS = 65536; ///< keeps a hostile file from filling the memory
 
-/// What becomes of a statement, by its keyword in lower case.
+/// What becomes of a statement.
 struct Statement {
-    std::string_view keyword;
+    std::string_view keyword; ///< in any case
+    std::string_view becomes; ///< for the documentation
     void (*read)(Material&, Words&, Notes&) = nullptr;
     const char* note = nullptr; ///< said where it is written and has another effect than none
 };
@@ -70,55 +71,55 @@ constexpr const char* REFLECTION_MAPS = "Reflection maps are ignored";
 constexpr const char* LAYERS = "Sheen, clear coat and anisotropy are ignored";
 
 constexpr Statement STATEMENTS[] = {
-    {"kd", read_color<&Material::diffuse>},
-    {"ks", read_color<&Material::specular>},
-    {"ke", read_color<&Material::emission>},
-    {"tf", read_color<&Material::transmission>},
-    {"kt", read_color<&Material::transmission>},
-    {"ns", read_number<&Material::exponent>},
-    {"ni", read_number<&Material::ior>},
-    {"d", read_number<&Material::opacity>},
-    {"tr", read_number<&Material::transparency>},
-    {"illum", read_number<&Material::illumination>},
-    {"pr", read_number<&Material::roughness>},
-    {"pm", read_number<&Material::metallic>},
-    {"map_kd", read_map_into<&Material::diffuse_map>},
-    {"map_ke", read_map_into<&Material::emission_map>},
-    {"norm", read_map_into<&Material::normal_map>},
-    {"map_norm", read_map_into<&Material::normal_map>},
-    {"map_kn", read_map_into<&Material::normal_map>},
-    {"ka"}, // light from everywhere, which is computed instead
-    {"sharpness"},
-    {"map_aat"},
-    {"map_ka", nullptr, "Ambient maps are ignored"},
-    {"map_ks", nullptr, "Specular maps are ignored"},
-    {"map_ns", nullptr, "Maps of exponents are ignored"},
-    {"map_pr", nullptr, SEPARATE_MAPS},
-    {"map_pm", nullptr, SEPARATE_MAPS},
-    {"map_bump", nullptr, BUMP_MAPS},
-    {"bump", nullptr, BUMP_MAPS},
-    {"map_d", read_map_into<&Material::opacity_map>},
-    {"map_opacity", read_map_into<&Material::opacity_map>},
-    {"map_tr", nullptr, "Maps of transparency are ignored"},
-    {"disp", nullptr, DISPLACEMENT},
-    {"map_disp", nullptr, DISPLACEMENT},
-    {"decal", nullptr, "Decals are ignored"},
-    {"refl", nullptr, REFLECTION_MAPS},
-    {"map_refl", nullptr, REFLECTION_MAPS},
-    {"map_ps", nullptr, LAYERS},
-    {"map_pc", nullptr, LAYERS},
-    {"ps", nullptr, LAYERS},
-    {"pc", nullptr, LAYERS},
-    {"pcr", nullptr, LAYERS},
-    {"aniso", nullptr, LAYERS},
-    {"anisor", nullptr, LAYERS},
+    {"Kd", "diffuse colour; one number is grey, none at all 0.8", read_color<&Material::diffuse>},
+    {"Ks", "specular colour", read_color<&Material::specular>},
+    {"Ke", "emission (radiance)", read_color<&Material::emission>},
+    {"Tf", "tint of a dielectric", read_color<&Material::transmission>},
+    {"Kt", "tint of a dielectric", read_color<&Material::transmission>},
+    {"Ns", "exponent of the highlight", read_number<&Material::exponent>},
+    {"Ni", "index of refraction", read_number<&Material::ior>},
+    {"d", "opacity", read_number<&Material::opacity>},
+    {"Tr", "transparency", read_number<&Material::transparency>},
+    {"illum", "the kind of material", read_number<&Material::illumination>},
+    {"Pr", "roughness", read_number<&Material::roughness>},
+    {"Pm", "metallic", read_number<&Material::metallic>},
+    {"map_Kd", "texture of the diffuse colour", read_map_into<&Material::diffuse_map>},
+    {"map_Ke", "texture of the emission", read_map_into<&Material::emission_map>},
+    {"norm", "normal map", read_map_into<&Material::normal_map>},
+    {"map_norm", "normal map", read_map_into<&Material::normal_map>},
+    {"map_Kn", "normal map", read_map_into<&Material::normal_map>},
+    {"map_d", "opacity by a map: its alpha where it has one, else its red",
+     read_map_into<&Material::opacity_map>},
+    {"map_opacity", "opacity by a map: its alpha where it has one, else its red",
+     read_map_into<&Material::opacity_map>},
+    {"Ka", "ignored: light from everywhere is computed instead"},
+    {"sharpness", "ignored: they change no picture of ours"},
+    {"map_aat", "ignored: they change no picture of ours"},
+    {"map_Ka", NOTED, nullptr, "Ambient maps are ignored"},
+    {"map_Ks", NOTED, nullptr, "Specular maps are ignored"},
+    {"map_Ns", NOTED, nullptr, "Maps of exponents are ignored"},
+    {"map_Pr", NOTED, nullptr, SEPARATE_MAPS},
+    {"map_Pm", NOTED, nullptr, SEPARATE_MAPS},
+    {"map_bump", NOTED, nullptr, BUMP_MAPS},
+    {"bump", NOTED, nullptr, BUMP_MAPS},
+    {"map_Tr", NOTED, nullptr, "Maps of transparency are ignored"},
+    {"disp", NOTED, nullptr, DISPLACEMENT},
+    {"map_disp", NOTED, nullptr, DISPLACEMENT},
+    {"decal", NOTED, nullptr, "Decals are ignored"},
+    {"refl", NOTED, nullptr, REFLECTION_MAPS},
+    {"map_refl", NOTED, nullptr, REFLECTION_MAPS},
+    {"map_Ps", NOTED, nullptr, LAYERS},
+    {"map_Pc", NOTED, nullptr, LAYERS},
+    {"Ps", NOTED, nullptr, LAYERS},
+    {"Pc", NOTED, nullptr, LAYERS},
+    {"Pcr", NOTED, nullptr, LAYERS},
+    {"aniso", NOTED, nullptr, LAYERS},
+    {"anisor", NOTED, nullptr, LAYERS},
 };
 
-std::string lower(std::string_view word) {
-    std::string result(word);
-    std::ranges::transform(result, result.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
-    return result;
+bool same_but_for_case(std::string_view a, std::string_view b) {
+    return std::ranges::equal(
+        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 class Reader {
@@ -128,9 +129,10 @@ class Reader {
     std::vector<Material> read() {
         while (const auto line = lines_.next()) {
             Words words(*line);
-            const std::string keyword = lower(words.next());
-            if (keyword == "newmtl" && materials_.size() == MAX_MATERIALS) break;
-            if (keyword == "newmtl")
+            const std::string_view keyword = words.next();
+            const bool begins = same_but_for_case(keyword, "newmtl");
+            if (begins && materials_.size() == MAX_MATERIALS) break;
+            if (begins)
                 materials_.emplace_back().name = words.rest();
             else if (!keyword.empty())
                 read_statement(keyword, words);
@@ -140,8 +142,10 @@ class Reader {
     }
 
   private:
-    void read_statement(const std::string& keyword, Words& words) {
-        const auto found = std::ranges::find(STATEMENTS, keyword, &Statement::keyword);
+    void read_statement(std::string_view keyword, Words& words) {
+        const auto found = std::ranges::find_if(STATEMENTS, [&](const Statement& statement) {
+            return same_but_for_case(statement.keyword, keyword);
+        });
         if (found == std::end(STATEMENTS))
             return notes_.add("Statements that MTL files do not have are skipped",
                               "line " + std::to_string(lines_.number()));
@@ -159,6 +163,13 @@ class Reader {
 };
 
 } // namespace
+
+std::vector<FileWord> statement_words() {
+    std::vector<FileWord> words;
+    for (const Statement& statement : STATEMENTS)
+        words.push_back({statement.keyword, statement.becomes});
+    return words;
+}
 
 std::vector<Material> read(std::string_view text, Notes& notes) {
     return Reader(text, notes).read();

@@ -1,5 +1,6 @@
 #include "scene/mtl_map.h"
 
+#include "scene/file_words.h"
 #include "scene/text.h"
 
 #include <algorithm>
@@ -13,27 +14,29 @@ namespace {
 using text::Words;
 
 struct Option {
-    std::string_view name;
-    size_t words;         ///< that follow it at most
-    bool numbers = false; ///< whether they are numbers, of which some may be missing
+    std::string_view name, becomes; ///< the latter for the documentation
+    size_t words;                   ///< that follow it at most
+    bool numbers = false;           ///< whether they are numbers, of which some may be missing
     const char* note = nullptr;
 };
 
+constexpr std::string_view UNUSED = "ignored";
+
 constexpr Option OPTIONS[] = {
-    {"-s", 3, true},
-    {"-o", 3, true},
-    {"-t", 3, true, "The turbulence of maps is ignored"},
-    {"-mm", 2, true, "Base and gain of maps are ignored"},
-    {"-bm", 1, true},
-    {"-boost", 1, true},
-    {"-texres", 1},
-    {"-clamp", 1},
-    {"-blendu", 1},
-    {"-blendv", 1},
-    {"-cc", 1},
-    {"-imfchan", 1, false, "The choice of a map's channel is ignored"},
-    {"-type", 1},
-    {"-colorspace", 1},
+    {"-s", "scale of texture coordinates: that of `map_Kd`, for all maps of its material", 3, true},
+    {"-o", "offset of texture coordinates, likewise", 3, true},
+    {"-clamp", "no repetition", 1},
+    {"-bm", "strength of a normal map", 1, true},
+    {"-t", NOTED, 3, true, "The turbulence of maps is ignored"},
+    {"-mm", NOTED, 2, true, "Base and gain of maps are ignored"},
+    {"-imfchan", NOTED, 1, false, "The choice of a map's channel is ignored"},
+    {"-boost", UNUSED, 1, true},
+    {"-texres", UNUSED, 1},
+    {"-blendu", UNUSED, 1},
+    {"-blendv", UNUSED, 1},
+    {"-cc", UNUSED, 1},
+    {"-type", UNUSED, 1},
+    {"-colorspace", UNUSED, 1},
 };
 
 const Option* option_named(std::string_view word) {
@@ -116,6 +119,12 @@ class MapReader {
 };
 
 } // namespace
+
+std::vector<FileWord> map_option_words() {
+    std::vector<FileWord> words;
+    for (const Option& option : OPTIONS) words.push_back({option.name, option.becomes});
+    return words;
+}
 
 Map read_map(std::string_view text, const std::string& material, Notes& notes) {
     return MapReader(material, notes).read(text);

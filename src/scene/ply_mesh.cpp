@@ -4,6 +4,7 @@
 #include "scene/mesh_parts.h"
 #include "scene/origin.h"
 #include "scene/ply_body.h"
+#include "scene/ply_words.h"
 #include "scene/triangulate.h"
 #include "scene/vertex_color.h"
 
@@ -18,21 +19,6 @@ namespace onde::ply {
 
 namespace {
 
-/// The numbers of a vertex that we use.
-enum Slot { X, Y, Z, NX, NY, NZ, U, V, R, G, B, A, UNUSED };
-
-Slot slot_of(const Property& property) {
-    constexpr std::pair<std::string_view, Slot> SLOTS[] = {
-        {"x", X},         {"y", Y},         {"z", Z},         {"nx", NX},       {"ny", NY},
-        {"nz", NZ},       {"u", U},         {"v", V},         {"s", U},         {"t", V},
-        {"texture_u", U}, {"texture_v", V}, {"texture_s", U}, {"texture_t", V}, {"red", R},
-        {"green", G},     {"blue", B},      {"alpha", A}};
-    if (property.count_type) return UNUSED;
-    for (const auto& [name, slot] : SLOTS)
-        if (name == property.name) return slot;
-    return UNUSED;
-}
-
 bool is_finite(std::initializer_list<double> numbers) {
     return std::ranges::all_of(numbers, [](double x) { return std::isfinite(float(x)); });
 }
@@ -45,16 +31,6 @@ double one(const Property& property, Slot slot) {
 
 constexpr const char* OTHERS = "Other properties than positions, normals, colours, texture "
                                "coordinates and polygons are ignored";
-
-bool is_corner_list(const Property& property) {
-    return property.count_type &&
-           (property.name == "vertex_indices" || property.name == "vertex_index");
-}
-
-/// MeshLab's: u and v of each corner of a face.
-bool is_corner_uvs(const Property& property) {
-    return property.count_type && property.name == "texcoord";
-}
 
 /// A vertex as one corner of a face has it.
 struct VertexUv {
@@ -86,11 +62,11 @@ class Reader {
     JoinedMesh read(const std::string& mesh_name) {
         check_elements();
         for (const Element& element : header_.elements)
-            if (element.name == "vertex")
+            if (element.name == VERTEX)
                 read_vertices(element);
-            else if (element.name == "face")
+            else if (element.name == FACE)
                 read_faces(element);
-            else if (element.name == "tristrips")
+            else if (element.name == STRIPS)
                 read_strips(element);
             else
                 skip(element);
@@ -138,12 +114,12 @@ class Reader {
 };
 
 void Reader::check_elements() const {
-    const auto named = [&](const char* name) {
+    const auto named = [&](std::string_view name) {
         const auto& all = header_.elements;
         return std::ranges::find(all, name, &Element::name) - all.begin();
     };
-    const auto vertex = size_t(named("vertex"));
-    const auto faces = std::min(size_t(named("face")), size_t(named("tristrips")));
+    const auto vertex = size_t(named(VERTEX));
+    const auto faces = std::min(size_t(named(FACE)), size_t(named(STRIPS)));
     if (std::max(vertex, faces) >= header_.elements.size())
         throw InputError("{}: its header lists no vertices or no faces, so there is no surface; "
                          "export the mesh with polygons",
@@ -153,7 +129,7 @@ void Reader::check_elements() const {
     if (header_.elements[vertex].count > MAX_VERTICES)
         throw InputError("{}: more than {} vertices; split the file", name_, MAX_VERTICES);
     for (const Element& element : header_.elements) {
-        if (element.name != "face" && element.name != "tristrips") continue;
+        if (element.name != FACE && element.name != STRIPS) continue;
         const auto list = std::ranges::find_if(element.properties, is_corner_list);
         if (list == element.properties.end() || list->type >= Type::float32)
             throw InputError("{}: its faces have no list 'vertex_indices' of integers; export it "

@@ -1,6 +1,7 @@
 #include "scene/reference.h"
 
 #include "scene/field_text.h"
+#include "scene/file_words.h"
 #include "scene/gltf_extensions.h"
 #include "scene/scene.h"
 #include "scene/toml_keys.h"
@@ -164,27 +165,48 @@ std::string extension_table() {
                               gltf::meaning_of(gltf::Support::none));
 }
 
+/// A row for each run of words that become the same, and one for `others`, where there are any.
+std::string word_table(std::string_view kind, const std::vector<FileWord>& words,
+                       const FileWord& others) {
+    std::string rows = fmt::format("| {} | in Onde |\n|---|---|\n", kind);
+    for (size_t i = 0; i < words.size();) {
+        const std::string_view becomes = words[i].becomes;
+        std::vector<std::string> same;
+        for (; i < words.size() && words[i].becomes == becomes; ++i)
+            same.push_back(fmt::format("`{}`", words[i].word));
+        rows += fmt::format("| {} | {} |\n", fmt::join(same, ", "), becomes);
+    }
+    if (!others.word.empty()) rows += fmt::format("| {} | {} |\n", others.word, others.becomes);
+    return rows;
+}
+
 } // namespace
 
 std::vector<ReferenceTable> reference_tables() {
     using namespace toml_keys;
-    return {{"film", key_table<Film>()},
-            {"render", key_table<RenderSettings>()},
-            {"camera", key_table<Camera>()},
-            {"material", key_table<Material>()},
-            {"texture", key_table<TextureFile>()},
-            {"phong", key_table<Phong>()},
-            {"lesson", key_table<Lesson>()},
-            {"expect", key_table<Expectation>()},
-            {"placement", key_table<Placement>()},
-            {"shape", key_table<toml_keys::Shape>()},
-            {"shape types", type_table<ShapeType>()},
-            {"light types", type_table<LightType>()},
-            {"glowing", key_table<Emission, AreaLight>()},
-            {"environment", key_table<Environment>()},
-            {"include", key_table<Include, Placement>()},
-            {"whitted", key_table<WhittedSettings>()},
-            {"gltf extensions", extension_table()}};
+    return {
+        {"film", key_table<Film>()},
+        {"render", key_table<RenderSettings>()},
+        {"camera", key_table<Camera>()},
+        {"material", key_table<Material>()},
+        {"texture", key_table<TextureFile>()},
+        {"phong", key_table<Phong>()},
+        {"lesson", key_table<Lesson>()},
+        {"expect", key_table<Expectation>()},
+        {"placement", key_table<Placement>()},
+        {"shape", key_table<toml_keys::Shape>()},
+        {"shape types", type_table<ShapeType>()},
+        {"light types", type_table<LightType>()},
+        {"glowing", key_table<Emission, AreaLight>()},
+        {"environment", key_table<Environment>()},
+        {"include", key_table<Include, Placement>()},
+        {"whitted", key_table<WhittedSettings>()},
+        {"gltf extensions", extension_table()},
+        {"mtl statements",
+         word_table("statement", mtl::statement_words(), {"any other", "skipped, with a note"})},
+        {"mtl map options", word_table("option of a map", mtl::map_option_words(), {})},
+        {"ply elements", word_table("element", ply::element_words(), {"any other", NOTED})},
+        {"ply properties", word_table("property", ply::property_words(), {"any other", NOTED})}};
 }
 
 } // namespace onde

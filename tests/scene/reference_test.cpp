@@ -1,5 +1,6 @@
 // docs/scene-format.md shows the tables that the loaders read.
 #include "core/files.h"
+#include "scene/file_words.h"
 #include "scene/reference.h"
 
 #include <catch2/catch.hpp>
@@ -39,6 +40,20 @@ TEST_CASE("the page has no table that nothing writes") {
     for (size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
         const size_t first = at + begin.size();
         CHECK(names.contains(text.substr(first, text.find(" -->", first) - first)));
+    }
+}
+
+TEST_CASE("every word of MTL and PLY files that a reader knows is in a table, once") {
+    for (const auto& words : {mtl::statement_words(), mtl::map_option_words(), ply::element_words(),
+                              ply::property_words()}) {
+        std::set<std::string_view> seen;
+        CHECK(words.size() > 2);
+        for (const FileWord& word : words) {
+            INFO(word.word);
+            CHECK(seen.insert(word.word).second);
+            CHECK_FALSE(word.becomes.empty());
+            CHECK_THAT(page(), Catch::Contains("`" + std::string(word.word) + "`"));
+        }
     }
 }
 

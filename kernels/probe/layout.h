@@ -235,6 +235,7 @@
     OFFSET(LightRecord, as.environment.unused)                                                     \
     SIZE(TextureRecord)                                                                            \
     OFFSET(TextureRecord, offset)                                                                  \
+    OFFSET(TextureRecord, low)                                                                     \
     OFFSET(TextureRecord, width)                                                                   \
     OFFSET(TextureRecord, height)                                                                  \
     OFFSET(TextureRecord, wrap_u)                                                                  \

@@ -14,7 +14,7 @@
     #define ONDE_NORMAL_MAPS 1
 #endif
 // Sets of texture coordinates that its textures use; whether some texture moves, turns or scales
-// them, and whether some takes the nearest texel.
+// them, whether some takes the nearest texel, and whether some has samples of 16 bits.
 #ifndef ONDE_UV_SETS
     #define ONDE_UV_SETS 1
 #endif
@@ -23,6 +23,9 @@
 #endif
 #ifndef ONDE_NEAREST_FILTERS
     #define ONDE_NEAREST_FILTERS 0
+#endif
+#ifndef ONDE_WIDE_TEXTURES
+    #define ONDE_WIDE_TEXTURES 0
 #endif
 // Whether some material lets rays pass by its alpha, and whether cameras see through the back of
 // some; ONDE_PASSING is 1 where either is.

@@ -1,5 +1,5 @@
-// Lookups in 8-bit textures, bilinear or of the nearest texel. NO_INDEX stands for a texture of
-// ones.
+// Lookups in textures of 8 or 16 bits, bilinear or of the nearest texel. NO_INDEX stands for a
+// texture of ones.
 #ifndef ONDE_SHADE_TEXTURE_H
 #define ONDE_SHADE_TEXTURE_H
 
@@ -61,18 +61,66 @@ INLINE TexelPair texel_pair(real t, natural size, natural wrap, natural filter) 
     return pair;
 }
 
-INLINE real3 texel_data(natural texel) {
-    return scale3(
-        make3(to_real(texel & 255u), to_real((texel >> 8) & 255u), to_real((texel >> 16) & 255u)),
-        (real)(1.0f / 255.0f));
+// RGBA of 8 bits each, or of 16: 256 times the bytes of `high` and those of `low`.
+typedef struct {
+    natural high;
+#if ONDE_WIDE_TEXTURES
+    natural low;
+#endif
+} Texel;
+
+INLINE Texel fetch_texel(SceneView view, natural offset, natural low, natural index) {
+    Texel texel;
+    texel.high = gather_natural(view.texels, offset + index);
+#if ONDE_WIDE_TEXTURES
+    texel.low = gather_natural(view.texels, low + index);
+#endif
+    return texel;
 }
-INLINE real3 texel_color(SceneView view, natural texel) {
-    return make3(gather_real(view.srgb, texel & 255u), gather_real(view.srgb, (texel >> 8) & 255u),
-                 gather_real(view.srgb, (texel >> 16) & 255u));
+
+#if ONDE_WIDE_TEXTURES
+// What the lower byte of channel k adds to the higher one, in units of the latter; 0 where both are
+// equal, as they are in a texture of 8 bits.
+INLINE real texel_rest(Texel texel, uint k) {
+    const natural high = (texel.high >> (8 * k)) & 255u, low = (texel.low >> (8 * k)) & 255u;
+    return to_real(as_integer(low) - as_integer(high)) * (1.0f / 257.0f);
+}
+#endif
+
+// Channel k, 3 is alpha, in 0 to 1.
+INLINE real texel_channel(Texel texel, uint k) {
+    const real high = to_real((texel.high >> (8 * k)) & 255u);
+#if ONDE_WIDE_TEXTURES
+    return (high + texel_rest(texel, k)) * (1.0f / 255.0f);
+#else
+    return high * (1.0f / 255.0f);
+#endif
+}
+
+// The same from sRGB, linearised.
+INLINE real texel_linear(SceneView view, Texel texel, uint k) {
+    const natural code = (texel.high >> (8 * k)) & 255u;
+    const real linear = gather_real(view.srgb, code);
+#if ONDE_WIDE_TEXTURES // on the line to the next code, which is within 6e-6 of the curve
+    const real rest = texel_rest(texel, k);
+    const natural next = choose(rest < 0.0f, code - 1u, code + 1u);
+    const real other = gather_real(view.srgb, choose(rest == 0.0f, code, next));
+    return fma(fabs(rest), other - linear, linear);
+#else
+    return linear;
+#endif
+}
+
+INLINE real3 texel_data(Texel texel) {
+    return make3(texel_channel(texel, 0), texel_channel(texel, 1), texel_channel(texel, 2));
+}
+INLINE real3 texel_color(SceneView view, Texel texel) {
+    return make3(texel_linear(view, texel, 0), texel_linear(view, texel, 1),
+                 texel_linear(view, texel, 2));
 }
 
 typedef struct {
-    natural texel[4]; // (0,0) (1,0) (0,1) (1,1)
+    Texel texel[4]; // (0,0) (1,0) (0,1) (1,1)
     real x, y;
 } TexelQuad;
 
@@ -89,12 +137,16 @@ INLINE TexelQuad fetch_quad(SceneView view, natural texture, UvSets uvs) {
 #endif
     const TexelPair x = texel_pair(uv.x, width, wrap_u, filter);
     const TexelPair y = texel_pair(uv.y, height, wrap_v, filter);
-    const natural row0 = offset + y.first * width, row1 = offset + y.second * width;
+    natural low = offset;
+#if ONDE_WIDE_TEXTURES
+    low = RECORD_NATURAL(view.textures, texture, TextureRecord, low);
+#endif
+    const natural row0 = y.first * width, row1 = y.second * width;
     TexelQuad quad;
-    quad.texel[0] = gather_natural(view.texels, row0 + x.first);
-    quad.texel[1] = gather_natural(view.texels, row0 + x.second);
-    quad.texel[2] = gather_natural(view.texels, row1 + x.first);
-    quad.texel[3] = gather_natural(view.texels, row1 + x.second);
+    quad.texel[0] = fetch_texel(view, offset, low, row0 + x.first);
+    quad.texel[1] = fetch_texel(view, offset, low, row0 + x.second);
+    quad.texel[2] = fetch_texel(view, offset, low, row1 + x.first);
+    quad.texel[3] = fetch_texel(view, offset, low, row1 + x.second);
     quad.x = x.fraction;
     quad.y = y.fraction;
     return quad;
@@ -136,7 +188,7 @@ INLINE real texture_alpha(SceneView view, natural texture, UvSets uvs) {
     if (!mask_bits(present)) return one;
     const TexelQuad q = fetch_quad(view, choose(present, texture, (natural)(0u)), uvs);
     real alpha[4];
-    for (uint k = 0; k < 4; k++) alpha[k] = to_real(q.texel[k] >> 24) * (1.0f / 255.0f);
+    for (uint k = 0; k < 4; k++) alpha[k] = texel_channel(q.texel[k], 3);
     const real top = fma(alpha[1] - alpha[0], q.x, alpha[0]);
     const real bottom = fma(alpha[3] - alpha[2], q.x, alpha[2]);
     return choose(present, fma(bottom - top, q.y, top), one);

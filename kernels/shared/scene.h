@@ -180,15 +180,18 @@ typedef struct {
 #define FILTER_NEAREST 1u
 
 // 64 bytes, one for each way of using a picture. Texels are RGBA8 words in one common buffer, where
-// several records may name the same ones.
+// several records may name the same ones. Samples of 16 bits lie in two such pictures, of their
+// higher and of their lower bytes; those of 8 bits have both in the same place, as 257 times a byte
+// is that byte twice.
 typedef struct {
     uint offset; // of the first texel
+    uint low;    // of the first texel's lower bytes
     uint width, height;
     uint wrap_u, wrap_v;
     uint filter;      // FILTER_...
     uint uv_set;      // which of the packed sets of texture coordinates
     float u[3], v[3]; // rows of the matrix from those coordinates, (x, y, 1), to the texture's
-    uint unused[3];
+    uint unused[2];
 } TextureRecord;
 
 // 16 bytes, one per environment pixel: alias table for choosing a pixel by its power (Vose 1991).

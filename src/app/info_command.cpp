@@ -245,8 +245,7 @@ SceneSummary summarize(const Scene& scene) {
     summary.shapes = count_kinds(scene.shapes);
     summary.materials = count_kinds(scene.materials);
     summary.area_lights = count_kinds(scene.chapter.area_lights);
-    for (const Texture& texture : scene.textures)
-        summary.texture_bytes += bytes_of(texture.image.rgba);
+    for (const Texture& texture : scene.textures) summary.texture_bytes += texture.image.bytes();
     summary.host_bytes = host_bytes(scene, summary.texture_bytes);
     return summary;
 }

@@ -110,6 +110,7 @@ ImageHeader read_header(const Header& header) {
         throw ImageProblem("its header claims no pixels");
     ImageHeader size{uint32_t(width), uint32_t(height),
                      uint32_t(picture_channels(header.channels()).size())};
+    size.sample_bytes = sizeof(float);
     const Imf::Compression coding = header.compression();
     const bool lossy = coding == Imf::DWAA_COMPRESSION || coding == Imf::DWAB_COMPRESSION;
     constexpr uint64_t LEAST_SAMPLE = 2;

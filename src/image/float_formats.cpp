@@ -98,7 +98,10 @@ RadianceHeader read_radiance_header(Cursor& cursor) {
 ImageHeader radiance_header(FileBytes file) {
     Cursor cursor(file);
     const RadianceHeader header = read_radiance_header(cursor);
-    ImageHeader size{header.width, header.height, 3};
+    ImageHeader size{.width = header.width,
+                     .height = header.height,
+                     .channels = 3,
+                     .sample_bytes = sizeof(float)};
     size.least_bytes = least_bytes_of_any(size.samples());
     return size;
 }
@@ -195,7 +198,10 @@ PfmHeader read_pfm_header(Cursor& cursor) {
 ImageHeader pfm_header(FileBytes file) {
     Cursor cursor(file);
     const PfmHeader header = read_pfm_header(cursor);
-    ImageHeader size{header.width, header.height, header.channels};
+    ImageHeader size{.width = header.width,
+                     .height = header.height,
+                     .channels = header.channels,
+                     .sample_bytes = sizeof(float)};
     size.least_bytes = size.samples() * sizeof(float);
     return size;
 }

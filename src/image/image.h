@@ -27,12 +27,18 @@ struct Image {
     }
 };
 
-/// 8-bit RGBA as textures store it, origin top left, not linearised.
-/// `rgba.size() == 4 * width * height`.
+/// RGBA as textures store it, origin top left, not linearised, of 8 bits or of 16: those have the
+/// higher byte of each sample in `rgba` and the lower one in `low`. `rgba.size() == 4 * width *
+/// height`; `low` is as large or empty, which stands for a copy of `rgba`: 255 is 65535.
 struct ByteImage {
     uint32_t width = 0;
     uint32_t height = 0;
     std::vector<uint8_t> rgba;
+    std::vector<uint8_t> low{};
+
+    /// A sample of 16 bits.
+    uint32_t wide(size_t at) const { return rgba[at] * 256u + (low.empty() ? rgba[at] : low[at]); }
+    uint64_t bytes() const { return rgba.size() + low.size(); }
 };
 
 } // namespace onde

@@ -74,14 +74,11 @@ float alpha_as_float(T value) {
     return float(value) / float(std::numeric_limits<T>::max());
 }
 
-uint8_t as_byte(uint8_t value) {
+uint16_t as_16_bits(uint16_t value) {
     return value;
 }
-uint8_t as_byte(uint16_t value) {
-    return uint8_t((unsigned(value) + 128) / 257);
-}
-uint8_t as_byte(float value) {
-    return value > 0 ? uint8_t(std::min(value, 1.0f) * 255 + 0.5f) : uint8_t(0); // NaN is 0
+uint16_t as_16_bits(float value) {
+    return value > 0 ? uint16_t(std::min(value, 1.0f) * 65535 + 0.5f) : uint16_t(0); // NaN is 0
 }
 
 /// Which stored channel feeds each of R, G, B and A; -1 is opaque.
@@ -91,17 +88,27 @@ std::array<int, 4> rgba_of(uint32_t channels) {
     return channels == 3 ? std::array{0, 1, 2, -1} : std::array{0, 1, 2, 3};
 }
 
+ByteImage rgba_image(const StoredImage& stored, std::vector<uint8_t> samples) {
+    if (stored.channels != 4) spread_to_rgba(samples, stored.channels, rgba_of(stored.channels));
+    return {stored.width, stored.height, std::move(samples)};
+}
+
+/// Samples of 16 bits, or of 8 where the lower ones only repeat them.
 template <class T>
-std::vector<uint8_t> rgba_bytes(std::vector<T> samples, uint32_t channels) {
-    if constexpr (std::is_same_v<T, uint8_t>)
-        if (channels == 4) return samples;
-    const std::array<int, 4> map = rgba_of(channels);
-    std::vector<uint8_t> rgba;
-    rgba.reserve(samples.size() / channels * 4);
-    for (size_t at = 0; at < samples.size(); at += channels)
-        for (const int channel : map)
-            rgba.push_back(channel < 0 ? uint8_t(255) : as_byte(samples[at + size_t(channel)]));
-    return rgba;
+ByteImage rgba_image(const StoredImage& stored, const std::vector<T>& samples) {
+    const std::array<int, 4> map = rgba_of(stored.channels);
+    ByteImage image{stored.width, stored.height, {}};
+    image.rgba.reserve(samples.size() / stored.channels * 4);
+    image.low.reserve(image.rgba.capacity());
+    for (size_t at = 0; at < samples.size(); at += stored.channels)
+        for (const int channel : map) {
+            const auto value =
+                channel < 0 ? uint16_t(65535) : as_16_bits(samples[at + size_t(channel)]);
+            image.rgba.push_back(uint8_t(value >> 8));
+            image.low.push_back(uint8_t(value));
+        }
+    if (image.low == image.rgba) image.low = {};
+    return image;
 }
 
 /// One channel, three or four, as many as tell all that is stored.
@@ -139,17 +146,15 @@ ByteImage decode_byte_image(std::span<const uint8_t> file, const std::string& na
                             uint64_t max_pixels) {
     return guarded(name, [&]() -> ByteImage {
         StoredImage stored = decode(file, name, max_pixels);
-        return {stored.width, stored.height,
-                std::visit(
-                    [&](auto& samples) { return rgba_bytes(std::move(samples), stored.channels); },
-                    stored.samples)};
+        return std::visit([&](auto& samples) { return rgba_image(stored, std::move(samples)); },
+                          stored.samples);
     });
 }
 
-ImageSize image_size(std::span<const uint8_t> file, const std::string& name) {
+ImageSize image_size(std::span<const uint8_t> file, const std::string& name, uint64_t max_pixels) {
     return guarded(name, [&]() -> ImageSize {
-        const ImageHeader header = format_of(file, name).header(file);
-        return {header.width, header.height};
+        const ImageHeader header = acceptable_header(format_of(file, name), file, name, max_pixels);
+        return {header.width, header.height, header.sample_bytes};
     });
 }
 

@@ -28,19 +28,23 @@ Image read_image(const std::filesystem::path& path, uint64_t max_pixels = MOST_P
 /// The text attributes of a PNG's or OpenEXR's header; throws InputError like read_image.
 ImageMetadata read_image_metadata(const std::filesystem::path& path);
 
-/// Decodes an image file held in memory (the formats of read_image) to 8-bit RGBA; deeper samples
-/// are rounded. `name` is used in error sentences only. Throws InputError like read_image.
+/// Decodes an image file held in memory (the formats of read_image) to RGBA of 8 bits, or of 16
+/// where the file has more and they are not a copy of the first 8. `name` is used in error
+/// sentences only. Throws InputError like read_image.
 ByteImage decode_byte_image(std::span<const uint8_t> file, const std::string& name,
                             uint64_t max_pixels = MOST_PIXELS);
 
 struct ImageSize {
     uint32_t width = 0, height = 0;
+    uint32_t sample_bytes = 1; ///< of a sample in the file; 4 are a float
+
     uint64_t pixels() const { return uint64_t(width) * height; }
 };
 
 /// What decode_byte_image would make of the file, by its header alone: takes microseconds and no
-/// memory. Throws InputError where the header is damaged or of an unknown format.
-ImageSize image_size(std::span<const uint8_t> file, const std::string& name);
+/// memory. Throws InputError where it would, as far as the header tells.
+ImageSize image_size(std::span<const uint8_t> file, const std::string& name,
+                     uint64_t max_pixels = MOST_PIXELS);
 
 enum class ExrDepth { half_float, full_float };
 

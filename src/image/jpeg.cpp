@@ -99,25 +99,26 @@ ImageHeader header(FileBytes file) {
     return size;
 }
 
-/// Four inks become three lights. Programs of Adobe store inks inverted, and the others do not.
-std::vector<uint8_t> light_of_inks(const std::vector<uint8_t>& inks, bool inverted) {
-    std::vector<uint8_t> rgb;
-    rgb.reserve(inks.size() / 4 * 3);
+/// Four inks become three lights, where they stand. Programs of Adobe store inks inverted, and the
+/// others do not.
+void light_of_inks(std::vector<uint8_t>& samples, bool inverted) {
     const auto light = [&](uint8_t ink) { return unsigned(inverted ? ink : 255 - ink); };
-    for (size_t i = 0; i + 3 < inks.size(); i += 4)
+    size_t at = 0;
+    for (size_t i = 0; i + 3 < samples.size(); i += 4) {
+        const unsigned black = light(samples[i + 3]);
         for (size_t c = 0; c < 3; ++c)
-            rgb.push_back(uint8_t((light(inks[i + c]) * light(inks[i + 3]) + 127) / 255));
-    return rgb;
+            samples[at++] = uint8_t((light(samples[i + c]) * black + 127) / 255);
+    }
+    samples.resize(at);
 }
 
 StoredImage decode(FileBytes file) {
     Reader reader(file);
     const jpeg_decompress_struct& jpeg = reader.jpeg();
     const uint32_t width = jpeg.output_width, height = jpeg.output_height;
-    std::vector<uint8_t> samples(size_t(width) * height * size_t(jpeg.output_components));
+    auto samples = samples_of<uint8_t>(uint64_t(width) * height, uint32_t(jpeg.output_components));
     reader.read_rows(samples.data());
-    if (jpeg.output_components == 4)
-        samples = light_of_inks(samples, jpeg.saw_Adobe_marker != FALSE);
+    if (jpeg.output_components == 4) light_of_inks(samples, jpeg.saw_Adobe_marker != FALSE);
     return {width, height, picture_channels(jpeg), std::move(samples)};
 }
 

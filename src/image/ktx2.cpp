@@ -84,21 +84,22 @@ FileBytes stored_level(FileBytes file) {
     return file.subspan(at, bytes);
 }
 
-std::vector<uint8_t> unpack(FileBytes packed, size_t bytes) {
-    std::vector<uint8_t> unpacked(bytes);
-    const size_t got = ZSTD_decompress(unpacked.data(), bytes, packed.data(), packed.size());
-    if (got != bytes) throw ImageProblem("its packed texels are damaged");
-    return unpacked;
-}
-
-std::vector<uint8_t> rgba_of(FileBytes texels, const TexelFormat& format) {
-    std::vector<uint8_t> rgba;
-    rgba.reserve(texels.size() / format.channels * 4);
-    for (size_t at = 0; at < texels.size(); at += format.channels)
-        for (size_t c = 0; c < 4; ++c)
-            rgba.push_back(format.order[c] >= 0 ? texels[at + size_t(format.order[c])]
-                                                : uint8_t(c == 3 ? 255 : 0));
-    return rgba;
+/// Fills `texels` with the largest level.
+void read_level(FileBytes file, std::vector<uint8_t>& texels) {
+    const FileBytes stored = stored_level(file);
+    const uint32_t packing = word(file, SUPERCOMPRESSION);
+    const uint64_t bytes =
+        packing == ZSTANDARD ? little_endian(file, LEVEL_UNPACKED_BYTES, 8) : stored.size();
+    if (bytes != texels.size()) throw ImageProblem("the length of its largest level is wrong");
+    if (packing == ZSTANDARD) {
+        const size_t got = ZSTD_decompress(texels.data(), bytes, stored.data(), stored.size());
+        if (got != bytes) throw ImageProblem("its packed texels are damaged");
+    } else if (packing == NONE) {
+        std::ranges::copy(stored, texels.begin());
+    } else {
+        throw ImageProblem("it is packed by scheme " + std::to_string(packing) +
+                           ", which is not known");
+    }
 }
 
 StoredImage decode(FileBytes file) {
@@ -106,20 +107,10 @@ StoredImage decode(FileBytes file) {
     if (is_basis(file))
         return {size.width, size.height, 4, transcode_basis(file, size.width, size.height)};
     const TexelFormat& format = texel_format(file);
-    const uint64_t bytes = size.pixels() * format.channels;
-    const uint32_t packing = word(file, SUPERCOMPRESSION);
-    FileBytes texels = stored_level(file);
-    std::vector<uint8_t> unpacked;
-    if (packing == ZSTANDARD) {
-        if (little_endian(file, LEVEL_UNPACKED_BYTES, 8) != bytes)
-            throw ImageProblem("the length of its largest level is wrong");
-        texels = unpacked = unpack(texels, bytes);
-    } else if (packing != NONE) {
-        throw ImageProblem("it is packed by scheme " + std::to_string(packing) +
-                           ", which is not known");
-    }
-    if (texels.size() != bytes) throw ImageProblem("the length of its largest level is wrong");
-    return {size.width, size.height, 4, rgba_of(texels, format)};
+    auto texels = samples_of<uint8_t>(size.pixels(), format.channels);
+    read_level(file, texels);
+    spread_to_rgba(texels, format.channels, format.order);
+    return {size.width, size.height, 4, std::move(texels)};
 }
 
 bool recognise(FileBytes file) {

@@ -101,6 +101,7 @@ ImageHeader header_of(const Reader& reader) {
     ImageHeader header{png_get_image_width(reader.png(), reader.info()),
                        png_get_image_height(reader.png(), reader.info()),
                        expanded_channels(reader.png(), reader.info())};
+    if (png_get_bit_depth(reader.png(), reader.info()) == 16) header.sample_bytes = 2;
     constexpr uint64_t MOST_IN_A_BYTE = 8; // of one bit each, before they were expanded
     header.least_bytes = header.pixels() / (MOST_DEFLATED * MOST_IN_A_BYTE);
     return header;
@@ -115,7 +116,7 @@ ImageHeader header(FileBytes file) {
 template <class T>
 Samples read_rows(Reader& reader, const ImageHeader& header) {
     const size_t row_samples = size_t(header.width) * header.channels;
-    std::vector<T> samples(row_samples * header.height);
+    std::vector<T> samples = samples_of<T>(header.pixels(), header.channels);
     std::vector<png_bytep> rows(header.height);
     for (size_t y = 0; y < rows.size(); ++y)
         rows[y] = reinterpret_cast<png_bytep>(samples.data() + y * row_samples);

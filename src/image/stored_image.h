@@ -5,6 +5,8 @@
 #include "image/image.h"
 #include "image/image_io.h"
 
+#include <algorithm>
+#include <array>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -19,7 +21,8 @@ using FileBytes = std::span<const uint8_t>;
 /// What the first bytes of a file tell, before anything is allocated for its pixels.
 struct ImageHeader {
     uint32_t width = 0, height = 0, channels = 0;
-    uint64_t least_bytes = 0; ///< of a whole file of that size, as its coding is
+    uint64_t least_bytes = 0;  ///< of a whole file of that size, as its coding is
+    uint32_t sample_bytes = 1; ///< of a decoded sample
 
     uint64_t pixels() const { return uint64_t(width) * height; }
     uint64_t samples() const { return pixels() * channels; }
@@ -43,6 +46,29 @@ struct StoredImage {
     uint32_t width = 0, height = 0, channels = 0;
     Samples samples;
 };
+
+/// Samples for a picture, with room in which bytes become RGBA without a copy.
+template <class T>
+std::vector<T> samples_of(uint64_t pixels, uint32_t channels) {
+    std::vector<T> samples;
+    if constexpr (sizeof(T) == 1) samples.reserve(4 * pixels);
+    samples.resize(pixels * channels);
+    return samples;
+}
+
+/// Turns pixels of `channels` bytes into RGBA where they stand. `order` says which byte each of R,
+/// G, B and A is; -1 is 0, or opaque. There is room from samples_of().
+inline void spread_to_rgba(std::vector<uint8_t>& samples, uint32_t channels,
+                           const std::array<int, 4>& order) {
+    const size_t pixels = samples.size() / channels;
+    samples.resize(4 * pixels);
+    for (size_t pixel = pixels; pixel-- > 0;) { // from the last on, as they grow
+        std::array<uint8_t, 4> rgba{0, 0, 0, 255};
+        for (size_t c = 0; c < 4; ++c)
+            if (order[c] >= 0) rgba[c] = samples[pixel * channels + size_t(order[c])];
+        std::copy_n(rgba.begin(), 4, samples.begin() + ptrdiff_t(4 * pixel));
+    }
+}
 
 /// Why a decoder gives up, as the end of a sentence. All of a format's functions throw it.
 class ImageProblem : public std::runtime_error {

@@ -5,6 +5,7 @@
 #include <tiffio.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <memory>
 
@@ -101,6 +102,7 @@ Layout layout_of(const Reader& tiff) {
 ImageHeader header(FileBytes file) {
     const Layout l = layout_of(Reader(file));
     ImageHeader size{l.width, l.height, l.plain ? l.channels : 4u};
+    if (l.plain) size.sample_bytes = l.bits / 8;
     size.least_bytes = least_bytes_of_any(size.samples());
     return size;
 }
@@ -110,7 +112,7 @@ StoredImage read_plain(const Reader& tiff, const Layout& l) {
     const size_t row = size_t(l.width) * l.channels;
     if (size_t(TIFFScanlineSize64(tiff.get())) != row * sizeof(T))
         throw ImageProblem("the length of its rows is wrong");
-    std::vector<T> samples(row * l.height);
+    auto samples = samples_of<T>(uint64_t(l.width) * l.height, l.channels);
     for (uint32_t y = 0; y < l.height; ++y)
         if (TIFFReadScanline(tiff.get(), samples.data() + y * row, y) != 1)
             throw ImageProblem("it is damaged or ends early");
@@ -120,15 +122,17 @@ StoredImage read_plain(const Reader& tiff, const Layout& l) {
 StoredImage read_converted(const Reader& tiff, const Layout& l) {
     char reason[1024] = "";
     if (!TIFFRGBAImageOK(tiff.get(), reason)) throw ImageProblem(reason);
-    std::vector<uint32_t> pixels(size_t(l.width) * l.height);
-    if (!TIFFReadRGBAImageOriented(tiff.get(), l.width, l.height, pixels.data(),
-                                   ORIENTATION_TOPLEFT, 1))
+    std::vector<uint8_t> samples(size_t(l.width) * l.height * 4);
+    if (!TIFFReadRGBAImageOriented(tiff.get(), l.width, l.height,
+                                   reinterpret_cast<uint32_t*>(samples.data()), ORIENTATION_TOPLEFT,
+                                   1))
         throw ImageProblem("it is damaged or ends early");
-    std::vector<uint8_t> samples;
-    samples.reserve(pixels.size() * 4);
-    for (const uint32_t p : pixels)
-        for (const uint32_t value : {TIFFGetR(p), TIFFGetG(p), TIFFGetB(p), TIFFGetA(p)})
-            samples.push_back(uint8_t(value));
+    for (size_t at = 0; at < samples.size(); at += 4) {
+        uint32_t p;
+        std::memcpy(&p, &samples[at], sizeof(p));
+        const std::array rgba{TIFFGetR(p), TIFFGetG(p), TIFFGetB(p), TIFFGetA(p)};
+        for (size_t c = 0; c < 4; ++c) samples[at + c] = uint8_t(rgba[c]);
+    }
     return {l.width, l.height, 4, std::move(samples)};
 }
 

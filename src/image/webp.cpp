@@ -23,7 +23,7 @@ ImageHeader header(FileBytes file) {
 
 StoredImage decode(FileBytes file) {
     const ImageHeader size = header(file);
-    std::vector<uint8_t> samples(size_t(size.width) * size.height * size.channels);
+    auto samples = samples_of<uint8_t>(size.pixels(), size.channels);
     const auto read = size.channels == 4 ? WebPDecodeRGBAInto : WebPDecodeRGBInto;
     if (!read(file.data(), file.size(), samples.data(), samples.size(),
               int(size.width * size.channels)))

@@ -50,6 +50,8 @@ void check_texture(const Scene& scene, size_t i) {
     require(image.width > 0 && image.height > 0, "texture", i, texture.name, "it has no pixels");
     require(image.rgba.size() == size_t(4) * image.width * image.height, "texture", i, texture.name,
             "its size and its pixels disagree");
+    require(image.low.empty() || image.low.size() == image.rgba.size(), "texture", i, texture.name,
+            "not all of its samples have 16 bits");
 }
 
 bool in_range(const FieldRules& rules, float x) {

@@ -29,6 +29,7 @@ void add(Hasher& hasher, const Texture& texture) {
     hasher.value(texture.image.width).value(texture.image.height);
     hasher.value(uint32_t(texture.srgb)).value(texture.wrap_u).value(texture.wrap_v);
     hasher.span(std::span<const uint8_t>(texture.image.rgba));
+    hasher.span(std::span<const uint8_t>(texture.image.low));
 }
 
 template <class T>

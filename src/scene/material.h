@@ -40,7 +40,7 @@ struct UvTransform {
     glm::vec2 operator()(glm::vec2 uv) const;
 };
 
-/// One way of using an 8-bit RGBA picture; `srgb` says that its colour channels need linearising
+/// One way of using an RGBA picture; `srgb` says that its colour channels need linearising
 /// (alpha never does).
 struct Texture {
     std::string name;

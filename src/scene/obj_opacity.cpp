@@ -12,12 +12,16 @@ bool has_alpha(const ByteImage& image) {
     return false;
 }
 
-/// The bytes of the texel of `image` that covers x, y of a picture of width x height.
-const uint8_t* texel(const ByteImage& image, uint32_t x, uint32_t y, uint32_t width,
-                     uint32_t height) {
+/// The first sample of the texel of `image` that covers x, y of a picture of width x height.
+size_t texel(const ByteImage& image, uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
     const uint64_t column = uint64_t(x) * image.width / width;
     const uint64_t row = uint64_t(y) * image.height / height;
-    return &image.rgba[4 * (row * image.width + column)];
+    return 4 * (row * image.width + column);
+}
+
+void set_wide(ByteImage& image, size_t at, uint32_t value) {
+    image.rgba[at] = uint8_t(value >> 8);
+    if (!image.low.empty()) image.low[at] = uint8_t(value);
 }
 
 } // namespace
@@ -28,12 +32,16 @@ ByteImage with_opacity(const ByteImage& color, const ByteImage& opacity) {
     result.width = std::max(color.width, opacity.width);
     result.height = std::max(color.height, opacity.height);
     result.rgba.assign(size_t(4) * result.width * result.height, 255);
+    if (!color.low.empty() || !opacity.low.empty()) result.low = result.rgba;
     for (uint32_t y = 0; y < result.height; ++y)
         for (uint32_t x = 0; x < result.width; ++x) {
-            uint8_t* out = &result.rgba[4 * (size_t(y) * result.width + x)];
-            if (!color.rgba.empty())
-                std::copy_n(texel(color, x, y, result.width, result.height), 3, out);
-            out[3] = texel(opacity, x, y, result.width, result.height)[channel];
+            const size_t out = 4 * (size_t(y) * result.width + x);
+            if (!color.rgba.empty()) {
+                const size_t from = texel(color, x, y, result.width, result.height);
+                for (size_t c = 0; c < 3; ++c) set_wide(result, out + c, color.wide(from + c));
+            }
+            const size_t from = texel(opacity, x, y, result.width, result.height);
+            set_wide(result, out + 3, opacity.wide(from + channel));
         }
     return result;
 }

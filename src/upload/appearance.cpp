@@ -19,9 +19,9 @@ static uint32_t texture_index(int32_t index) {
 
 /// The smallest alpha of a picture.
 static float least_alpha(const ByteImage& image) {
-    uint8_t least = 255;
-    for (size_t i = 3; i < image.rgba.size(); i += 4) least = std::min(least, image.rgba[i]);
-    return float(least) / 255.0f;
+    uint32_t least = 65535;
+    for (size_t i = 3; i < image.rgba.size(); i += 4) least = std::min(least, image.wide(i));
+    return float(least) / 65535.0f;
 }
 
 /// The smallest alpha of the vertices of each material's triangles.
@@ -122,32 +122,40 @@ static TextureRecord texture_record(const Texture& texture, const std::vector<ui
     return record;
 }
 
+/// Appends RGBA bytes as words; returns the index of the first.
+static uint32_t append(std::vector<uint32_t>& texels, const std::vector<uint8_t>& rgba) {
+    const size_t offset = texels.size();
+    texels.resize(offset + rgba.size() / 4);
+    if (!rgba.empty()) std::memcpy(&texels[offset], rgba.data(), rgba.size());
+    return uint32_t(offset);
+}
+
 PackedTextures pack_textures(const Scene& scene) {
     static_assert(uint32_t(TextureFilter::nearest) == FILTER_NEAREST);
     PackedTextures packed;
+    uint64_t bytes = 0;
+    for (const Texture& texture : scene.textures) bytes += texture.image.bytes();
+    if (bytes / 4 > UINT32_MAX)
+        throw InputError("all textures together exceed 2^32 texels; use smaller ones");
+    packed.texels.reserve(bytes / 4); // growing would take half as much again
     const std::vector<uint32_t> sets = used_uv_sets(scene);
     for (const Texture& texture : scene.textures) {
         TextureRecord record = texture_record(texture, sets);
         if (texture.same_image_as != NO_TEXTURE) {
             const TextureRecord& same = packed.records[size_t(texture.same_image_as)];
             record.offset = same.offset;
+            record.low = same.low;
             record.width = same.width;
             record.height = same.height;
             packed.records.push_back(record);
             continue;
         }
         const ByteImage& image = texture.image;
-        const size_t count = size_t(image.width) * image.height, offset = packed.texels.size();
-        if (offset + count > UINT32_MAX)
-            throw InputError(
-                "texture {}: all textures together exceed 2^32 texels; use smaller ones",
-                texture.name);
-        record.offset = uint32_t(offset);
+        record.offset = append(packed.texels, image.rgba);
+        record.low = image.low.empty() ? record.offset : append(packed.texels, image.low);
         record.width = image.width;
         record.height = image.height;
         packed.records.push_back(record);
-        packed.texels.resize(offset + count);
-        std::memcpy(&packed.texels[offset], image.rgba.data(), count * 4);
     }
     return packed;
 }

@@ -17,7 +17,8 @@ std::vector<uint32_t> used_uv_sets(const Scene& scene);
 
 struct PackedTextures {
     std::vector<TextureRecord> records;
-    std::vector<uint32_t> texels; ///< RGBA8, red lowest
+    std::vector<uint32_t>
+        texels; ///< RGBA8, red lowest; of 16 bits the higher bytes, then the lower
 };
 /// Throws InputError beyond 2^32 texels.
 PackedTextures pack_textures(const Scene& scene);

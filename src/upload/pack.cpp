@@ -13,24 +13,12 @@
 namespace onde {
 
 std::vector<std::string> SceneFeatures::defines() const {
-    return {fmt::format("ONDE_INSTANCES={:d}", instances),
-            fmt::format("ONDE_SPHERES={:d}", spheres),
-            fmt::format("ONDE_SHAPES={:d}", shapes),
-            fmt::format("ONDE_TEXTURES={:d}", textures),
-            fmt::format("ONDE_NORMAL_MAPS={:d}", normal_maps),
-            fmt::format("ONDE_UV_SETS={}", uv_sets),
-            fmt::format("ONDE_TEXTURE_TRANSFORMS={:d}", texture_transforms),
-            fmt::format("ONDE_NEAREST_FILTERS={:d}", nearest_filters),
-            fmt::format("ONDE_VERTEX_COLORS={:d}", vertex_colors),
-            fmt::format("ONDE_ALPHA={:d}", alpha),
-            fmt::format("ONDE_CULLING={:d}", culling),
-            fmt::format("ONDE_PASSING={:d}", alpha || culling),
-            fmt::format("ONDE_GROUND={:d}", ground),
-            fmt::format("ONDE_KINDS={}", kinds),
-            fmt::format("ONDE_LIGHTS={}", lights),
-            fmt::format("ONDE_ENVIRONMENT={:d}", environment),
-            fmt::format("ONDE_WATERTIGHT={:d}", watertight),
-            fmt::format("ONDE_STACK_SIZE={}", stack_size)};
+    std::vector<std::string> all{fmt::format("ONDE_PASSING={:d}", alpha || culling)};
+#define ONDE_DEFINE(Type, name, initial, NAME, join)                                               \
+    all.push_back(fmt::format("ONDE_" #NAME "={:d}", name));
+    SCENE_FEATURES(ONDE_DEFINE)
+#undef ONDE_DEFINE
+    return all;
 }
 
 static SceneFeatures find_features(const Scene& scene, const PackedScene& packed) {
@@ -49,6 +37,7 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     for (const Texture& texture : scene.textures) {
         features.texture_transforms |= texture.transform != UvTransform{};
         features.nearest_filters |= texture.filter == TextureFilter::nearest;
+        features.wide_textures |= !texture.image.low.empty();
     }
     features.vertex_colors = !packed.colors.empty();
     for (const MaterialRecord& material : packed.materials) {

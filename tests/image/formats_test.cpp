@@ -234,20 +234,34 @@ TEST_CASE("TIFF is read in 8 bits, 16 bits and floats, packed or not") {
     check_reads(tiff_file(folder, RGB, 3, SAMPLEFORMAT_UINT), opaque(RGB));
     check_reads(tiff_file(folder, RGBA, 4, SAMPLEFORMAT_UINT, COMPRESSION_LZW), RGBA);
     const std::vector<uint16_t> grey16{0, 257, 65535, 32896, 514, 25700};
-    CHECK(decode(tiff_file(folder, grey16, 1, SAMPLEFORMAT_UINT)).rgba[4] == 1);
+    const ByteImage bytes = decode(tiff_file(folder, grey16, 1, SAMPLEFORMAT_UINT));
+    CHECK(bytes.rgba[4] == 1);
+    CHECK(bytes.low.empty()); // they only repeat the higher bytes
+    const std::vector<uint16_t> rgb16{0, 1, 65535, 300, 258, 9, 1, 2, 3,
+                                      4, 5, 6,     7,   8,   9, 0, 1, 65534};
+    const std::string file = tiff_file(folder, rgb16, 3, SAMPLEFORMAT_UINT);
+    const ByteImage wide = decode(file);
+    CHECK(image_size(bytes_of(file), "a picture").sample_bytes == 2);
+    for (size_t pixel = 0; pixel < 6; ++pixel) {
+        for (size_t c = 0; c < 3; ++c) CHECK(wide.wide(4 * pixel + c) == rgb16[3 * pixel + c]);
+        CHECK(wide.wide(4 * pixel + 3) == 65535);
+    }
     const std::vector<float> floats{0, 1e-3f, 1, 1e4f, -2, 0.5f};
     CHECK(read(folder, tiff_file(folder, floats, 1, SAMPLEFORMAT_IEEEFP)).pixels == floats);
 }
 
-TEST_CASE("16-bit PNG is rounded for textures and kept for floats") {
+TEST_CASE("16-bit PNG is kept") {
     const ScratchFolder folder;
-    const std::string file = png16_file({0, 257, 65535, 300, 32896, 65535});
+    const std::vector<uint16_t> grey{0, 257, 65535, 300, 32896, 65535};
+    const std::string file = png16_file(grey);
+    const ByteImage wide = decode(file);
+    for (size_t i = 0; i < grey.size(); ++i) CHECK(wide.wide(4 * i + 1) == grey[i]);
+    CHECK(wide.wide(3) == 65535);
     const Image image = read(folder, file);
     CHECK(image.channels == 1);
     CHECK(image.pixels[2] == 1.0f);
     CHECK(image.pixels[1] > 0.0f);
     CHECK(image.pixels[3] > image.pixels[1]); // the same in 8 bits
-    CHECK(decode(file).rgba[8] == 255);
 }
 
 TEST_CASE("PFM is read in both orders of bytes, from the bottom row") {

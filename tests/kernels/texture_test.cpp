@@ -36,8 +36,8 @@ size_t wrap_index(int64_t i, int64_t size, Wrap wrap) {
     return size_t(folded < size ? folded : 2 * size - 1 - folded);
 }
 
-double linear(uint8_t byte, bool color) {
-    const double c = byte / 255.0;
+double linear(uint32_t sample, bool color) {
+    const double c = sample / 65535.0;
     if (!color) return c;
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
@@ -53,16 +53,14 @@ double look_up(const Texture& texture, double u, double v, size_t channel, bool 
                                   (1 - std::abs(y - double(y0 + j)));
             const size_t column = wrap_index(x0 + i, image.width, texture.wrap_u);
             const size_t row = wrap_index(y0 + j, image.height, texture.wrap_v);
-            sum += weight * linear(image.rgba[4 * (row * image.width + column) + channel], color);
+            sum += weight * linear(image.wide(4 * (row * image.width + column) + channel), color);
         }
     return sum;
 }
 
-} // namespace
-
-TEST_CASE("textures are bilinear under every wrap mode, and colours linear before filtering") {
-    const Scene scene = textured_scene();
-    SceneProbe probe(scene, {"texture"});
+/// Against double precision.
+void check_look_ups(const Scene& scene, uint32_t width = 1, double bound = 5e-6) {
+    SceneProbe probe(scene, {"texture"}, width);
     Generator generator(52);
     for (uint32_t t = 0; t < scene.textures.size(); t++) {
         INFO("texture " << t);
@@ -77,12 +75,45 @@ TEST_CASE("textures are bilinear under every wrap mode, and colours linear befor
             const auto wanted = [&](size_t i) {
                 return look_up(scene.textures[t], in[1][i], in[2][i], k % 3, k >= 3);
             };
-            CHECK(worst_difference(out[k], wanted, 5e-6) == "");
+            CHECK(worst_difference(out[k], wanted, bound) == "");
         }
         const auto alpha = [&](size_t i) {
             return look_up(scene.textures[t], in[1][i], in[2][i], 3, false);
         };
-        CHECK(worst_difference(out[6], alpha, 5e-6) == "");
+        CHECK(worst_difference(out[6], alpha, bound) == "");
+    }
+}
+
+} // namespace
+
+TEST_CASE("textures are bilinear under every wrap mode, and colours linear before filtering") {
+    check_look_ups(textured_scene());
+}
+
+TEST_CASE("samples of 16 bits keep them, beside textures of 8, at every width") {
+    Scene scene = textured_scene();
+    Generator generator(55);
+    for (size_t t = 0; t < scene.textures.size(); t += 2) {
+        ByteImage& image = scene.textures[t].image;
+        for (size_t i = 0; i < image.rgba.size(); i++) image.low.push_back(uint8_t(generator()));
+    }
+    scene.textures[0].image.rgba[0] = scene.textures[0].image.low[1] = 0; // both ends of the table
+    scene.textures[0].image.rgba[4] = scene.textures[0].image.low[5] = 255;
+    for (const uint32_t width : {1u, 8u, 16u}) check_look_ups(scene, width, 1e-5);
+}
+
+TEST_CASE("textures of 8 bits read the same bits beside one of 16") {
+    Scene scene = textured_scene();
+    SceneProbe alone(scene, {"texture"});
+    ByteImage& last = scene.textures.back().image;
+    last.low.assign(last.rgba.size(), 7);
+    SceneProbe beside(scene, {"texture"});
+    Generator generator(56);
+    for (uint32_t t = 0; t + 1 < scene.textures.size(); t++) {
+        const Columns in{word_column(COUNT, t), uniform_column(generator, COUNT, -2, 3),
+                         uniform_column(generator, COUNT, -2, 3)};
+        CHECK(first_bit_difference(beside.run("texture", in, 7), alone.run("texture", in, 7)) ==
+              "");
     }
 }
 

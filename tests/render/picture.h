@@ -75,6 +75,7 @@ inline SceneFeatures all_features(const SceneFeatures& own) {
     features.uv_sets = own.uv_sets;
     features.texture_transforms = own.texture_transforms;
     features.nearest_filters = own.nearest_filters;
+    features.wide_textures = own.wide_textures;
     features.vertex_colors = own.vertex_colors;
     return features;
 }

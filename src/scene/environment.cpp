@@ -1,4 +1,3 @@
-#include "image/image_io.h"
 #include "scene/angle.h"
 #include "scene/load.h"
 #include "scene/loaders.h"
@@ -24,9 +23,9 @@ static Image as_radiance(const Image& image) {
 }
 
 Environment load_environment(const std::filesystem::path& path, glm::vec3 scale,
-                             float rotation_degrees) {
+                             float rotation_degrees, uint64_t max_pixels) {
     return {.radiance = scale,
-            .map = as_radiance(read_image(path)),
+            .map = as_radiance(read_image(path, max_pixels)),
             .rotation = radians_of(rotation_degrees)};
 }
 

@@ -1,7 +1,7 @@
 // Materials, textures and images of glTF (sections 3.8 and 3.9).
 #include "core/error.h"
 #include "core/shown.h"
-#include "image/image_io.h"
+#include "scene/gltf_reachable.h"
 #include "scene/gltf_scene.h"
 #include "scene/gltf_specular_glossiness.h"
 #include "scene/references.h"
@@ -28,18 +28,21 @@ class TextureLoader {
     int32_t load(const std::optional<JsonReader>& part, std::string_view key, bool srgb,
                  const std::string& user);
 
+    bool is_shown = true; ///< whether the material in work is; else it goes without textures
+
   private:
-    std::optional<std::span<const uint8_t>> encoded(const ImageSource& image,
-                                                    const std::string& name);
-    std::optional<ByteImage> decode(const ImageSource& image, const std::string& name);
+    std::optional<std::span<const uint8_t>> encoded(uint32_t index, const std::string& user);
+    std::optional<ByteImage> decode(uint32_t index, const std::string& user);
     uint32_t first_of_file(uint32_t index, const std::string& user);
     std::optional<ByteImage> decode_any(const TextureSource& texture, const std::string& user);
 
     File& file_;
     Scene& scene_;
-    std::map<uint32_t, std::vector<int32_t>> loaded_; ///< the textures of an image
-    std::map<std::string, uint32_t> first_images_;    ///< by what they say of their bytes
-    std::set<uint32_t> missing_;                      ///< images
+    std::map<uint32_t, std::vector<int32_t>> loaded_;   ///< the textures of an image
+    std::map<std::string_view, uint32_t> first_of_uri_; ///< images
+    std::map<std::pair<const uint8_t*, size_t>, uint32_t> first_of_bytes_;
+    std::map<uint32_t, std::optional<std::span<const uint8_t>>> encoded_; ///< by image
+    std::set<uint32_t> missing_;                                          ///< images
 };
 
 constexpr uint32_t MOST_UV_SETS = 256;
@@ -60,36 +63,53 @@ UvTransform read_transform(const JsonReader& source) {
     return transform;
 }
 
-std::optional<std::span<const uint8_t>> TextureLoader::encoded(const ImageSource& image,
-                                                               const std::string& name) {
-    if (image.view) return view_bytes(file_, *image.view, name);
-    return image.uri ? uri_bytes(file_, *image.uri, file_.where(name)) : std::nullopt;
+std::string label_of(const ImageSource& image) {
+    return shown(image.name.empty() ? image.uri.value_or("") : image.name);
+}
+
+std::string name_of(const ImageSource& image, uint32_t index) {
+    return fmt::format("image {} '{}'", index, label_of(image));
+}
+
+/// The image's file, read or decoded once; nothing where there is none.
+std::optional<std::span<const uint8_t>> TextureLoader::encoded(uint32_t index,
+                                                               const std::string& user) {
+    const auto [found, is_new] = encoded_.try_emplace(index);
+    if (!is_new) return found->second;
+    const ImageSource& image = at(file_, file_.document.images, index, "image", user);
+    const std::string name = name_of(image, index);
+    if (image.view)
+        found->second = view_bytes(file_, *image.view, name);
+    else if (image.uri)
+        found->second = uri_bytes(file_, *image.uri, file_.where(name));
+    return found->second;
 }
 
 /// Nothing for an image that can't be read.
-std::optional<ByteImage> TextureLoader::decode(const ImageSource& image, const std::string& name) {
-    const auto bytes = encoded(image, name);
+std::optional<ByteImage> TextureLoader::decode(uint32_t index, const std::string& user) {
+    const auto bytes = encoded(index, user);
     if (!bytes) return std::nullopt;
-    std::optional<ByteImage> pixels;
     try {
-        pixels = decode_byte_image(*bytes, file_.where(name));
+        const ImageSource& image = file_.document.images[index];
+        return decode_within(file_.context, *bytes, file_.where(name_of(image, index)));
+    } catch (const OverBudget&) {
+        throw;
     } catch (const InputError&) {
         return std::nullopt;
     }
-    file_.context.spend(pixels->rgba.size(), 2, file_.where(name)); // here, and packed
-    return pixels;
 }
 
-/// The first image of the file with the same bytes, by what it says of them.
+/// The first image of the same text or of the same bytes.
 uint32_t TextureLoader::first_of_file(uint32_t index, const std::string& user) {
     const ImageSource& image = at(file_, file_.document.images, index, "image", user);
-    const std::string bytes =
-        image.view ? fmt::format("view {}", *image.view) : "file " + image.uri.value_or("");
-    return first_images_.try_emplace(bytes, index).first->second;
-}
-
-std::string label_of(const ImageSource& image) {
-    return shown(image.name.empty() ? image.uri.value_or("") : image.name);
+    const std::string_view uri = image.uri && !image.view ? *image.uri : std::string_view();
+    if (const auto found = first_of_uri_.find(uri); found != first_of_uri_.end())
+        return found->second;
+    uint32_t first = index;
+    if (const auto bytes = encoded(index, user))
+        first = first_of_bytes_.try_emplace({bytes->data(), bytes->size()}, index).first->second;
+    if (!uri.empty()) first_of_uri_[uri] = first;
+    return first;
 }
 
 /// The first of the texture's images that can be read; nothing, with a note, if there is none.
@@ -99,10 +119,8 @@ std::optional<ByteImage> TextureLoader::decode_any(const TextureSource& texture,
     candidates.insert(candidates.end(), texture.fallbacks.begin(), texture.fallbacks.end());
     std::string tried;
     for (uint32_t index : candidates) {
-        const ImageSource& image = at(file_, file_.document.images, index, "image", user);
-        const std::string name = fmt::format("image {} '{}'", index, label_of(image));
-        if (auto pixels = decode(image, name)) return pixels;
-        tried = tried.empty() ? name : tried;
+        if (auto pixels = decode(index, user)) return pixels;
+        if (tried.empty()) tried = name_of(file_.document.images[index], index);
     }
     file_.notes.wrong("Images that are missing or can't be read are left out", tried);
     return std::nullopt;
@@ -111,7 +129,7 @@ std::optional<ByteImage> TextureLoader::decode_any(const TextureSource& texture,
 int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_view key, bool srgb,
                             const std::string& user) {
     const std::optional<JsonReader> info = part ? part->object(key) : std::nullopt;
-    if (!info) return NO_TEXTURE;
+    if (!info || !is_shown) return NO_TEXTURE;
     const uint32_t index = info->require("index", info->index("index"));
     TextureUse use{.srgb = srgb, .uv_set = info->index("texCoord").value_or(0)};
     if (const auto transform = info->extension("KHR_texture_transform")) {
@@ -331,8 +349,10 @@ void add_materials(File& file, Scene& scene) {
     TextureLoader textures(file, scene);
     OldMaterials old_materials(file, scene, textures);
     const std::vector<JsonReader>& materials = file.document.materials;
+    const std::vector<bool> used = shown_materials(file);
     for (size_t i = 0; i < materials.size(); ++i) {
         const std::string name = materials[i].text("name").value_or("");
+        textures.is_shown = used[i];
         const std::string user = name.empty() ? fmt::format("material {}", i)
                                               : fmt::format("material {} '{}'", i, shown(name));
         scene.materials.push_back(convert(file, textures, old_materials, materials[i], user));

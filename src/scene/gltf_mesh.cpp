@@ -3,6 +3,7 @@
 #include "core/shown.h"
 #include "scene/gltf_choice.h"
 #include "scene/gltf_draco.h"
+#include "scene/gltf_reachable.h"
 #include "scene/gltf_scene.h"
 #include "scene/mesh_parts.h"
 #include "scene/part_repair.h"
@@ -136,13 +137,6 @@ MeshPart convert(File& file, const Primitive& primitive, uint32_t default_materi
     return part;
 }
 
-/// The material in a variant, or the primitive's own.
-Index material_of(const Primitive& primitive, Index variant) {
-    for (const VariantMaterial& mapping : primitive.variants)
-        if (variant && mapping.variant == *variant) return mapping.material;
-    return primitive.material;
-}
-
 std::string text_of(const Attributes& attributes) {
     std::string text = "{";
     for (const auto& [name, accessor] : attributes) text += fmt::format("{}:{} ", name, accessor);
@@ -171,10 +165,8 @@ std::string text_of(const MeshSource& mesh, Index variant, const std::vector<dou
 
 MeshLoader::MeshLoader(File& file, Scene& scene) : file_(file), scene_(scene) {
     const std::vector<std::string>& variants = file.document.variants;
-    const std::string& word = file.context.options().variant;
-    if (!word.empty())
-        variant_ = uint32_t(choose(file, variants, word, "--variant", "material variant"));
-    else if (!variants.empty())
+    variant_ = chosen_variant(file);
+    if (!variant_ && !variants.empty())
         file.notes.add("Material variants are there; --variant chooses one", names_of(variants));
 }
 

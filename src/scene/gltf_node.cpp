@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "scene/gltf_choice.h"
 #include "scene/gltf_placement.h"
+#include "scene/gltf_reachable.h"
 #include "scene/gltf_scene.h"
 
 #include <fmt/format.h>
@@ -164,31 +165,13 @@ void NodeTraversal::add_instance(uint32_t mesh, const glm::dmat4& to_world,
     placements_.meshes.push_back({.index = mesh, .to_world = to_world});
 }
 
-/// Nodes that no other node has as a child, for files without scenes.
-std::vector<uint32_t> roots_of(const File& file) {
-    const std::vector<Node>& nodes = file.document.nodes;
-    std::vector<bool> is_child(nodes.size(), false);
-    for (const Node& node : nodes)
-        for (uint32_t child : node.children)
-            if (child < is_child.size()) is_child[child] = true;
-    std::vector<uint32_t> roots;
-    for (uint32_t i = 0; i < is_child.size(); ++i)
-        if (!is_child[i]) roots.push_back(i);
-    return roots;
-}
-
 } // namespace
 
 void add_nodes(File& file, Scene& scene) {
     const Document& document = file.document;
     NodeTraversal nodes(file, scene);
-    if (document.scenes.empty()) return nodes.traverse(roots_of(file));
-    const std::string& word = file.context.options().scene;
-    const uint32_t index = word.empty()
-                               ? document.scene.value_or(0)
-                               : uint32_t(choose(file, document.scenes, word, "--scene", "scene"));
-    nodes.traverse(at(file, document.scenes, index, "scene", "the default scene").nodes);
-    if (document.scenes.size() > 1 && word.empty())
+    nodes.traverse(root_nodes(file));
+    if (document.scenes.size() > 1 && file.context.options().scene.empty())
         file.notes.add("Only the default scene is loaded; --scene chooses another",
                        names_of(document.scenes));
 }

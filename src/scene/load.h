@@ -1,6 +1,7 @@
 // From a file to a Scene. The front door of every loader.
 #pragma once
 
+#include "image/image_io.h"
 #include "scene/load_options.h"
 #include "scene/scene.h"
 
@@ -32,7 +33,10 @@ SceneBounds scene_bounds(const Scene& scene);
 /// Pixels that are negative or no numbers become 0; infinite ones stay, load_scene bounds them.
 /// Throws InputError as read_image does.
 Environment load_environment(const std::filesystem::path& path, glm::vec3 scale,
-                             float rotation_degrees);
+                             float rotation_degrees, uint64_t max_pixels = MOST_PIXELS);
+
+/// What a pixel of an environment takes: read and made a radiance, or packed with its weights.
+inline constexpr uint64_t ENVIRONMENT_PIXEL_BYTES = 48;
 
 /// A hash of everything in the scene that can change a pixel, stable from run to run, as 16 hex
 /// digits. Names, notes and the settings, which the command line overrides, are left out.

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/memory.h"
+#include "image/image_io.h"
 #include "scene/references.h"
 
 namespace onde {
@@ -15,7 +16,7 @@ LoadContext::LoadContext(const LoadOptions& options)
 void LoadContext::spend(uint64_t count, uint64_t size, const std::string& where) {
     if (size == 0) return;
     if (count > left_ / size)
-        throw InputError("{}: loading it takes more than the {:.3g} GiB that a load may use; "
+        throw OverBudget("{}: loading it takes more than the {:.3g} GiB that a load may use; "
                          "give more by --load-limit, or split the scene",
                          where, double(options_.limit) / double(1 << 30));
     left_ -= count * size;
@@ -29,6 +30,16 @@ std::filesystem::path LoadContext::resolve(const std::filesystem::path& folder,
                                            const std::string& reference,
                                            const std::string& where) const {
     return resolve_inside(folder, reference, where, options_.root);
+}
+
+ByteImage decode_within(LoadContext& context, std::span<const uint8_t> file,
+                        const std::string& name) {
+    const ImageSize size = image_size(file, name);
+    const uint64_t texel = size.sample_bytes == 1 ? 4 : 8;
+    // Here and packed; floats, which are kept with 16 bits, take more for a moment.
+    const uint64_t most = size.sample_bytes == 4 ? texel + 4 * sizeof(float) : 2 * texel;
+    context.spend(size.pixels(), most, name);
+    return decode_byte_image(file, name);
 }
 
 std::string read_file_within(LoadContext& context, const std::filesystem::path& path,

@@ -1,14 +1,22 @@
 // What one load shares from its first file to its last: its options and its budget of memory.
 #pragma once
 
+#include "core/error.h"
+#include "image/image.h"
 #include "scene/load_options.h"
 #include "scene/notes.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace onde {
+
+/// More memory is wanted than the load may use: it ends, as it would at each of a thousand parts.
+class OverBudget : public InputError {
+    using InputError::InputError;
+};
 
 class LoadContext {
   public:
@@ -19,7 +27,7 @@ class LoadContext {
     const LoadOptions& options() const { return options_; }
 
     /// Takes `count` things of `size` bytes from what the whole load may use. To be called before
-    /// they are allocated. Throws InputError "WHERE: ..." where they are more than is left.
+    /// they are allocated. Throws OverBudget "WHERE: ..." where they are more than is left.
     void spend(uint64_t count, uint64_t size, const std::string& where);
 
     /// That some file of the load has an animation.
@@ -41,6 +49,11 @@ class LoadContext {
     uint64_t left_;
     bool is_animated_ = false;
 };
+
+/// Decodes an image that a scene file names, once its pixels are spent by what its header claims.
+/// Throws InputError as decode_byte_image() does, and OverBudget.
+ByteImage decode_within(LoadContext& context, std::span<const uint8_t> file,
+                        const std::string& name);
 
 /// The file's bytes, which are spent before they are read. Throws InputError as read_file() does.
 std::string read_file_within(LoadContext& context, const std::filesystem::path& path,

@@ -89,6 +89,8 @@ int32_t texture(const mtl::Map& map, bool srgb, Scene& scene, FileFinder& files,
     try {
         return add_texture_file(scene, files.context(), files.folder(), *found, {srgb, wrap, wrap},
                                 "");
+    } catch (const OverBudget&) {
+        throw;
     } catch (const InputError&) {
         notes.wrong("Textures that can't be read are left out", map.file);
         return NO_TEXTURE;
@@ -125,7 +127,7 @@ void apply_opacity_map(const mtl::Material& source, Scene& scene, FileFinder& fi
     ByteImage color;
     if (map) color = image_of(scene.textures, scene.textures[size_t(m.base_color_texture)]);
     ByteImage image = with_opacity(color, opacity);
-    files.context().spend(image.rgba.size(), 1, name);
+    files.context().spend(image.bytes(), 1, name);
     const Wrap wrap = source.diffuse_map.clamp ? Wrap::clamp : Wrap::repeat;
     m.base_color_texture = add_texture(scene.textures, name, std::move(image), {true, wrap, wrap});
 }

@@ -34,6 +34,8 @@ static Material material_of(const ply::Header& header, const fs::path& path, Sce
         material.base_color_texture =
             add_texture_file(scene, context, files.folder(), *found, {}, path.string());
         material.base_color = glm::vec3(1.0f);
+    } catch (const OverBudget&) {
+        throw;
     } catch (const InputError&) {
         notes.wrong("Textures that can't be read are left out", header.texture);
     }

@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/shown.h"
-#include "image/image_io.h"
 
 #include <algorithm>
 #include <charconv>
@@ -85,10 +84,9 @@ int32_t add_texture_file(Scene& scene, LoadContext& context, const fs::path& fol
     if (!fs::exists(path))
         throw InputError("{}: the image '{}' does not exist; check the name", where,
                          shown(reference));
-    const std::string bytes = read_file(path);
-    ByteImage image = decode_byte_image(
-        {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, path.string());
-    context.spend(image.rgba.size(), 2, where); // here, and packed
+    const std::string bytes = read_file_within(context, path);
+    ByteImage image = decode_within(
+        context, {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, path.string());
     return add_texture(textures, path.string(), std::move(image), use);
 }
 

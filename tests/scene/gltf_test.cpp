@@ -7,6 +7,7 @@
 using namespace onde;
 using onde::test::bytes_of;
 using onde::test::ScratchFolder;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -179,30 +180,71 @@ TEST_CASE("of a texture's images the first that can be read counts") {
     }
 }
 
-TEST_CASE("a file that several images name is decoded once") {
+TEST_CASE("a file that several images name, by any spelling, is decoded once") {
     ScratchFolder folder;
     folder.write("quad.bin", quad_bytes());
     folder.write("blue.png", test::blue_png());
-    std::string images, textures, materials;
-    for (int i = 0; i < 20; ++i) {
-        const std::string comma = i ? ", " : "", number = std::to_string(i);
-        images += comma + R"({"uri": "blue.png"})";
-        textures += comma + R"({"source": )" + number + "}";
-        materials += comma + R"({"emissiveTexture": {"index": )" + number + "}}";
-    }
     const auto path =
-        folder.write("q.gltf", quad_gltf(R"([{"mesh": 0}])", "",
-                                         ", \"images\": [" + images + "], \"textures\": [" +
-                                             textures + "], \"materials\": [" + materials + "]"));
+        folder.write("q.gltf", quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
+  "images": [{"uri": "blue.png"}, {"uri": "blue.png"}, {"uri": "./blue.png"}, {"uri": "%62lue.png"}],
+  "textures": [{"source": 0}, {"source": 1}, {"source": 2}, {"source": 3}],
+  "materials": [{"emissiveTexture": {"index": 0}, "normalTexture": {"index": 1},
+                 "pbrMetallicRoughness": {"baseColorTexture": {"index": 2},
+                                          "metallicRoughnessTexture": {"index": 3}}}])"));
+    const Scene scene = load_scene(path);
     size_t decoded = 0;
-    for (const Texture& texture : load_scene(path).textures) decoded += !texture.image.rgba.empty();
+    for (const Texture& texture : scene.textures) decoded += !texture.image.rgba.empty();
+    CHECK(scene.textures.size() == 2); // of colours and of data
     CHECK(decoded == 1);
+}
+
+TEST_CASE("textures of materials that nothing in the scene shows are not read") {
+    ScratchFolder folder;
+    folder.write("quad.bin", quad_bytes());
+    folder.write("blue.png", test::blue_png());
+    const std::string extra = R"(, "images": [{"uri": "blue.png"}, {"uri": "../no.png"}],
+  "textures": [{"source": 0}, {"source": 1}],
+  "materials": [{"name": "a", "emissiveTexture": {"index": 1}, "emissiveFactor": [1, 0, 0]},
+                {"emissiveTexture": {"index": 0}}])";
+    const Scene scene = load_scene(
+        folder.write("q.gltf", quad_gltf(R"([{"mesh": 0}])", R"(, "material": 1)", extra)));
+    REQUIRE(scene.textures.size() == 1);
+    CHECK(scene.textures[0].image.width == 1);
+    REQUIRE(scene.materials.size() == 3);
+    CHECK(scene.materials[0].name == "a");
+    CHECK(scene.materials[0].emission_texture == NO_TEXTURE);
+    CHECK(scene.materials[1].emission_texture == 0);
+    CHECK_THAT(test::load_error(folder.write(
+                   "r.gltf", quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", extra))),
+               Catch::Contains("leaves the scene's folder"));
+}
+
+TEST_CASE("of EXT_texture_webp's two images the WebP is taken, and the other where it can't be") {
+    ScratchFolder folder;
+    folder.write("quad.bin", quad_bytes());
+    folder.write("blue.png", test::blue_png());
+    fs::copy(std::string(ONDE_SOURCE_DIR) + "/tests/data/fuzz/image/lossless.webp",
+             folder.path() / "a.webp");
+    const auto width = [&](const char* image) {
+        const Scene scene = load_scene(
+            folder.write("q.gltf", quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
+  "extensionsUsed": ["EXT_texture_webp"], "materials": [{"emissiveTexture": {"index": 0}}],
+  "textures": [{"source": 1, "extensions": {"EXT_texture_webp": {"source": 0}}}],
+  "images": [{"uri": ")" + std::string(image) + R"("}, {"uri": "blue.png"}])")));
+        REQUIRE(scene.textures.size() == 1);
+        CHECK(scene.textures[0].name == image);
+        CHECK_FALSE(has_note(scene, "EXT_texture_webp"));
+        return scene.textures[0].image.width;
+    };
+    CHECK(width("a.webp") == 11);
+    CHECK(width("missing.webp") == 1);
 }
 
 TEST_CASE("an image may not lie out of the folder, though it may be missing") {
     ScratchFolder folder;
     folder.write("quad.bin", quad_bytes());
-    CHECK_THAT(test::load_error(folder.write("q.gltf", quad_gltf(R"([{"mesh": 0}])", "", R"(,
+    CHECK_THAT(test::load_error(
+                   folder.write("q.gltf", quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
   "materials": [{"emissiveTexture": {"index": 0}}], "textures": [{"source": 0}],
   "images": [{"uri": "../other.png"}])"))),
                Catch::Contains("leaves the scene's folder"));

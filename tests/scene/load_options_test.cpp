@@ -75,3 +75,18 @@ TEST_CASE("includes of includes of lights are refused before they take the memor
     little.limit = 1 << 16;
     CHECK_THAT(error_with(little, folder.path() / "3.toml"), Catch::Contains("--load-limit"));
 }
+
+TEST_CASE("an image is counted by its header, before it is decoded") {
+    ScratchFolder folder; // 4096 x 4096 pixels, of which most are missing
+    folder.write("big.bmp", std::string("BM\0\0\0\0\0\0\0\0\x1a\0\0\0\x0c\0\0\0", 18) +
+                                std::string("\x00\x10\x00\x10\x01\0\x18\0", 8) +
+                                std::string(300000, 'x'));
+    const auto obj = folder.write("a.obj", "mtllib a.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+                                           "f 1 2 3\n");
+    folder.write("a.mtl", "newmtl a\nmap_Kd big.bmp\n");
+    LoadOptions little;
+    little.limit = 100 << 20;
+    CHECK_THAT(error_with(little, obj),
+               Catch::Contains("big.bmp") && Catch::Contains("--load-limit"));
+    CHECK(error_with({}, obj).empty()); // there it is only damaged, which costs the texture
+}

@@ -99,15 +99,15 @@ ByteImage rgba_image(const StoredImage& stored, const std::vector<T>& samples) {
     const std::array<int, 4> map = rgba_of(stored.channels);
     ByteImage image{stored.width, stored.height, {}};
     image.rgba.reserve(samples.size() / stored.channels * 4);
-    image.low.reserve(image.rgba.capacity());
+    const bool wide = std::ranges::any_of(samples, [](T s) { return as_16_bits(s) % 257 != 0; });
+    if (wide) image.low.reserve(image.rgba.capacity());
     for (size_t at = 0; at < samples.size(); at += stored.channels)
         for (const int channel : map) {
             const auto value =
                 channel < 0 ? uint16_t(65535) : as_16_bits(samples[at + size_t(channel)]);
             image.rgba.push_back(uint8_t(value >> 8));
-            image.low.push_back(uint8_t(value));
+            if (wide) image.low.push_back(uint8_t(value));
         }
-    if (image.low == image.rgba) image.low = {};
     return image;
 }
 

@@ -326,3 +326,23 @@ TEST_CASE("the laboratory refuses what it cannot measure") {
         check_refused(folder, arguments, c.culprit);
     }
 }
+
+TEST_CASE("--load-limit bounds what a file may take, in every command that loads one") {
+    const Folder folder;
+    std::string points; // 2 MB of them, of which three are used
+    for (int i = 0; i < 100000; ++i) points += "v 0.1234567 " + std::to_string(i) + " 0\n";
+    folder.write("a.obj", points + "f 1 2 3\n");
+    for (const Arguments& command :
+         {Arguments{"info", "a.obj"}, Arguments{"render", "a.obj", "-o", "a.png"},
+          Arguments{"thumbnail", "a.obj", "-o", "."}}) {
+        Arguments limited = command;
+        limited.insert(limited.end(), {"--load-limit", "0.002"});
+        const Outcome outcome = onde::test::onde(folder, limited);
+        INFO(outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::Contains("a.obj") && Catch::Contains("0.002 GiB"));
+        CHECK(folder.files().size() == 1);
+    }
+    CHECK(onde::test::onde(folder, {"info", "a.obj", "--load-limit", "0.1"}).code == 0);
+    CHECK(onde::test::onde(folder, {"info", "a.obj", "--load-limit", "0"}).code == 2);
+}

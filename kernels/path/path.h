@@ -169,6 +169,7 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
         return result;
     }
 
+    v.surface.normal = valid_normal(view, v.surface, path.direction);
     v.basis = make_basis(v.surface.normal);
     v.wo = to_local(v.basis, negate3(path.direction));
     v.wo.z = max_real(v.wo.z, (real)(1e-4f));

@@ -3,7 +3,7 @@
 #ifndef ONDE_SHADE_VERTEX_H
 #define ONDE_SHADE_VERTEX_H
 
-#include "shade/material.h"
+#include "shade/shading_normal.h"
 
 // The geometry of a vertex, shared by what happens there.
 typedef struct {

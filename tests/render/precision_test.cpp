@@ -135,7 +135,6 @@ Image picture_of_mirrors(const Scene& scene, bool watertight) {
     const RenderOptions options = small_options(96, 96, 4);
     if (!watertight) return render_scene(scene, options).image;
     SessionOptions session_options{.render = options, .choose_layout = false};
-    session_options.features = all_features(pack_scene(scene).features);
     session_options.bvh.watertight = true;
     Session session(programs(), scene, session_options);
     session.render();

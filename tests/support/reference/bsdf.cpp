@@ -13,6 +13,22 @@ glm::vec3 facing_normal(const glm::vec3& geometric, const glm::vec3& shading, co
     return glm::dot(n, wo) < MIN_COSINE ? geometric : n;
 }
 
+/// Keller et al., "The Iray Light Transport Simulation and Rendering System", 2017: the mirror
+/// direction is moved above the surface, and the normal is half way to it.
+glm::vec3 valid_normal(const glm::vec3& geometric, const glm::vec3& normal, const glm::vec3& wo) {
+    const glm::vec3 mirror = 2.0f * glm::dot(wo, normal) * normal - wo;
+    const float least = std::min(0.9f * glm::dot(wo, geometric), 0.01f);
+    const float height = glm::dot(mirror, geometric);
+    if (normal == geometric || height >= least) return normal;
+    return glm::normalize(wo + glm::normalize(mirror + (least - height) * geometric));
+}
+
+glm::vec3 shading_normal(MaterialKind kind, const glm::vec3& geometric, const glm::vec3& shading,
+                         const glm::vec3& wo) {
+    const glm::vec3 n = facing_normal(geometric, shading, wo);
+    return kind == MaterialKind::diffuse ? n : valid_normal(geometric, n, wo);
+}
+
 glm::vec3 mirrored(const glm::vec3& wo, const glm::vec3& h) {
     return 2.0f * glm::dot(wo, h) * h - wo;
 }
@@ -37,9 +53,9 @@ Bsdf::Bsdf(const MaterialRecord& material, const glm::vec3& geometric_normal,
            const glm::vec3& normal, const glm::vec3& wo)
     : geometric_normal_(glm::dot(geometric_normal, wo) < 0.0f ? -geometric_normal
                                                               : geometric_normal),
-      frame_(facing_normal(geometric_normal_, normal, wo)), wo_(frame_.to_local(wo)),
-      alpha_(material.roughness * material.roughness), delta_(alpha_ < SMOOTH_ALPHA),
-      transparent_(material.kind == MaterialKind::dielectric) {
+      frame_(shading_normal(material.kind, geometric_normal_, normal, wo)),
+      wo_(frame_.to_local(wo)), alpha_(material.roughness * material.roughness),
+      delta_(alpha_ < SMOOTH_ALPHA), transparent_(material.kind == MaterialKind::dielectric) {
     if (!transparent_) {
         set_opaque(material);
         return;

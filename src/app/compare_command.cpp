@@ -3,11 +3,13 @@
 #include "app/json.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/output.h"
 #include "image/compare.h"
 #include "image/image_io.h"
 
 #include <fmt/core.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -65,6 +67,7 @@ void write_difference(const std::filesystem::path& path, const Image& difference
 }
 
 void run_compare(const CompareOptions& options) {
+    check_not_read(options.difference, std::array{options.a, options.b});
     const Image a = read_image(options.a), b = read_image(options.b);
     const Metrics metrics = compare(a, b);
     if (!options.difference.empty()) write_difference(options.difference, difference_image(a, b));

@@ -35,7 +35,9 @@ void run(const InspectRequest& request) {
     const PixelSample at = parse_pixel(request);
     if (!request.dot.empty()) check_writable(request.dot);
     Machine machine = open_machine(request.render.machine);
-    Session session = open_session(machine, load_requested_scene(request.render), request.render);
+    Scene scene = load_requested_scene(request.render);
+    check_not_read(request.dot, scene.files);
+    Session session = open_session(machine, std::move(scene), request.render);
     const SampleReport report = session.inspect(at);
     fmt::print("pixel {},{} of {}x{}, sample {}\n{}", at.x, at.y, session.options().width,
                session.options().height, at.sample,

@@ -52,13 +52,14 @@ void write_cost_maps(const std::vector<std::filesystem::path>& paths, Outputs& o
                  map.sum(), double(map.sum()) / (double(map.width) * map.height), map.largest());
 }
 
-/// A channel as it is seen: directions by their octant, colours as they are, others grey, where the
-/// largest is white.
+/// A channel as it is seen: directions by their octant and alpha as its plain numbers, as mattes
+/// are; colours as they are, others grey, where the largest is white.
 Image shown_channel(Image numbers, const FilmChannel& channel) {
-    const bool is_direction = channel.sums == AOV_NORMAL;
+    const bool is_direction = channel.sums == AOV_NORMAL, is_matte = channel.sums == AOV_ALPHA;
     const float largest = channel.components == 3 ? 1.0f : std::ranges::max(numbers.pixels);
     for (float& number : numbers.pixels)
         number = is_direction ? linear_from_srgb(0.5f + 0.5f * number)
+                 : is_matte   ? linear_from_srgb(std::clamp(number, 0.0f, 1.0f))
                               : number / std::max(largest, 1e-30f);
     return numbers;
 }

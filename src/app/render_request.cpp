@@ -276,12 +276,26 @@ std::vector<fs::path> named_outputs(const RenderRequest& request) {
     return outputs;
 }
 
+/// These, what is written beside them, and the report.
+static std::vector<fs::path> all_outputs(const std::vector<fs::path>& outputs,
+                                         const RenderRequest& request) {
+    std::vector<fs::path> all = outputs;
+    for (const std::string& aov : request.aovs)
+        std::ranges::copy(aov_paths(outputs, aov), std::back_inserter(all));
+    if (!request.json.empty()) all.push_back(request.json);
+    return all;
+}
+
 void check_outputs(const std::vector<fs::path>& outputs, const RenderRequest& request) {
     std::set<fs::path> taken;
-    for (const fs::path& path : outputs) check_output(path, taken);
-    for (const std::string& aov : request.aovs)
-        for (const fs::path& path : aov_paths(outputs, aov)) check_output(path, taken);
-    if (!request.json.empty()) check_output(request.json, taken);
+    for (const fs::path& path : all_outputs(outputs, request)) check_output(path, taken);
+}
+
+void check_outputs_not_read(const std::vector<fs::path>& outputs, const RenderRequest& request,
+                            const Scene& scene) {
+    std::vector<fs::path> files = scene.files;
+    if (!request.environment.empty()) files.emplace_back(request.environment);
+    for (const fs::path& path : all_outputs(outputs, request)) check_not_read(path, files);
 }
 
 } // namespace onde::app

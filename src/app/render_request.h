@@ -109,4 +109,8 @@ std::vector<std::filesystem::path> named_outputs(const RenderRequest& request);
 /// to a place of its own.
 void check_outputs(const std::vector<std::filesystem::path>& outputs, const RenderRequest& request);
 
+/// Throws InputError where one of them is a file that the render reads.
+void check_outputs_not_read(const std::vector<std::filesystem::path>& outputs,
+                            const RenderRequest& request, const Scene& scene);
+
 } // namespace onde::app

@@ -128,14 +128,17 @@ ShotSession::ShotSession(Machine& machine, const RenderRequest& request,
     options_.all_round = request.turntable.has_value();
     if (shots.front().at && shots.size() > 1)
         options_.stage = fit_stage(request.scene, options_, moments_to_fit(shots));
-    load(shots.front());
+    std::vector<fs::path> outputs;
+    for (const Shot& shot : shots) std::ranges::copy(shot.outputs, std::back_inserter(outputs));
+    load(shots.front(), outputs);
 }
 
-void ShotSession::load(const Shot& shot) {
+void ShotSession::load(const Shot& shot, const std::vector<fs::path>& outputs) {
     const Timer timer;
     session_.reset(); // its memory first
     if (shot.at) options_.at = shot.at;
     Scene scene = load_scene(request_.scene, options_);
+    check_outputs_not_read(outputs, request_, scene);
     load_seconds_ += timer.seconds();
     const auto tell = [this](const std::string& note) {
         if (told_.insert(note).second) spdlog::info("{}", note);
@@ -149,7 +152,7 @@ void ShotSession::load(const Shot& shot) {
 }
 
 Session& ShotSession::show(const Shot& shot) {
-    if (at_ != shot.at) load(shot);
+    if (at_ != shot.at) load(shot, shot.outputs);
     if (shot.turn == 0) return *session_;
     session_->set_camera(turned_camera(camera_, bounds_, shot.turn));
     return *session_;

@@ -45,7 +45,7 @@ class ShotSession {
     double take_load_seconds() { return std::exchange(load_seconds_, 0); }
 
   private:
-    void load(const Shot& shot);
+    void load(const Shot& shot, const std::vector<std::filesystem::path>& outputs);
 
     Machine& machine_;
     const RenderRequest& request_;

@@ -83,8 +83,10 @@ SessionExtras extras_of(const fs::path& file, const std::optional<SceneFeatures>
 /// Returns false when it was interrupted, and then writes nothing.
 bool make_picture(const Workshop& workshop, const fs::path& file, const fs::path& path) {
     check_writable(path);
-    Session session = open_session(workshop.machine, load_scene(file, workshop.load),
-                                   workshop.request, extras_of(file, workshop.features));
+    Scene scene = load_scene(file, workshop.load);
+    check_outputs_not_read({path}, workshop.request, scene);
+    Session session = open_session(workshop.machine, std::move(scene), workshop.request,
+                                   extras_of(file, workshop.features));
     if (const gpu::BuildReport& kernels = session.prepare(); !kernels.from_cache)
         tell_kernels(session, kernels);
     const RenderOutcome outcome =

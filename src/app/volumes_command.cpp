@@ -49,6 +49,7 @@ void run(const VolumesRequest& request) {
     check(request);
     Machine machine = open_machine(request.machine);
     const Scene scene = load_scene(request.scene, load_options(request.load));
+    check_not_read(request.plot, scene.files);
     const TriangleSoup object = scene_triangles(scene);
     if (const size_t left_out = scene.spheres.size() + scene.shapes.size())
         spdlog::info("volumes are put around triangles; left out: {} spheres or other shapes",

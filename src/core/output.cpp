@@ -211,6 +211,16 @@ void check_writable(const fs::path& path) {
     if (!Unfinished(folder)) throw_unwritable(folder, path);
 }
 
+void check_not_read(const fs::path& path, std::span<const fs::path> files) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) return; // what is not there is not read either
+    for (const fs::path& file : files)
+        if (fs::equivalent(path, file, error))
+            throw InputError("{}: is read from here, so nothing can be written to it; name another "
+                             "file",
+                             path.string());
+}
+
 void remove_unfinished(const fs::path& folder) {
     remove_abandoned(folder, UNFINISHED);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,10 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// Throws InputError unless `path` could be written now: its folder exists and is writable, it is
 /// no folder and not read-only. Leaves nothing behind and touches nothing.
 void check_writable(const std::filesystem::path& path);
+
+/// Throws InputError where `path` is one of these files, by whatever name or link: they are read.
+void check_not_read(const std::filesystem::path& path,
+                    std::span<const std::filesystem::path> files);
 
 /// Removes what processes that were killed while they wrote have left in the folder.
 void remove_unfinished(const std::filesystem::path& folder);

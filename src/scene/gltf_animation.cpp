@@ -183,12 +183,12 @@ void animate_nodes(File& file) {
     if (document.animations.empty()) return;
     file.context.found_animation();
     const auto& options = file.context.options();
+    const std::vector<size_t> indices = chosen(file); // a wrong name is wrong at any second
     if (!options.at) {
         file.notes.add("The rest pose is shown; --at SECONDS shows the animation",
                        names_of(document.animations));
         return;
     }
-    const std::vector<size_t> indices = chosen(file);
     for (size_t i : indices)
         apply(file, document.animations[i], *options.at, fmt::format("animation {}", i));
     if (indices.size() < document.animations.size() && options.animation.empty())

@@ -54,6 +54,8 @@ LoadedScene load_uncompleted(const fs::path& path, const LoadOptions& options) {
         scene.notes.push_back("Nothing in the file is animated: it looks the same at any second.");
     if (options.environment) scene.environment = *options.environment;
     bound_environment(scene);
+    scene.files = context.files();
+    scene.files.push_back(path);
     const int exponent = naming(path, [&] {
         check_scene(scene);
         if (options.stage) count_from(options.stage->origin, scene);

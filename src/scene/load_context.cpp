@@ -27,9 +27,9 @@ Notes LoadContext::notes_of(const std::filesystem::path& file) const {
 }
 
 std::filesystem::path LoadContext::resolve(const std::filesystem::path& folder,
-                                           const std::string& reference,
-                                           const std::string& where) const {
-    return resolve_inside(folder, reference, where, options_.root);
+                                           const std::string& reference, const std::string& where) {
+    const auto path = resolve_inside(folder, reference, where, options_.root);
+    return *files_.insert(path).first;
 }
 
 ByteImage decode_within(LoadContext& context, std::span<const uint8_t> file,

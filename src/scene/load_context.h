@@ -8,8 +8,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace onde {
 
@@ -42,11 +44,15 @@ class LoadContext {
 
     /// As resolve_inside() of references.h, with the root that the user chose.
     std::filesystem::path resolve(const std::filesystem::path& folder, const std::string& reference,
-                                  const std::string& where) const;
+                                  const std::string& where);
+
+    /// What has been resolved so far: the files that the scene is read from, or may be.
+    std::vector<std::filesystem::path> files() const { return {files_.begin(), files_.end()}; }
 
   private:
     LoadOptions options_;
     uint64_t left_;
+    std::set<std::filesystem::path> files_;
     bool is_animated_ = false;
 };
 

@@ -81,9 +81,18 @@ class PartBuilder {
 
 glm::dvec3 origin_of_faces(const File& file) {
     Extent extent;
-    for (size_t i = 0; i < file.faces.size(); ++i)
-        for (const Corner& corner : file.corners_of(i))
-            extent.grow(file.positions[size_t(corner.position)]);
+    const auto position = [&](const Corner& corner) {
+        return file.positions[size_t(corner.position)];
+    };
+    for (size_t i = 0; i < file.faces.size(); ++i) {
+        const auto corners = file.corners_of(i);
+        if (corners.empty()) continue;
+        const glm::dvec3 first = position(corners[0]);
+        const bool is_point = std::ranges::all_of(
+            corners, [&](const Corner& corner) { return position(corner) == first; });
+        for (const Corner& corner : corners)
+            if (!is_point) extent.grow(position(corner));
+    }
     return origin_of(extent);
 }
 

@@ -30,20 +30,26 @@ Extent transformed(const Extent& box, const glm::dmat4& transform) {
     return result;
 }
 
-Extent extent_of(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles) {
+/// Of triangles that can be hit: exporters leave stray ones without area at 0.
+template <class Positions>
+static Extent extent_of_triangles(const Positions& positions,
+                                  std::span<const glm::uvec3> triangles) {
     Extent extent;
-    for (const glm::uvec3& triangle : triangles)
-        for (glm::length_t corner = 0; corner < 3; ++corner)
-            extent.grow(positions[triangle[corner]]);
+    for (const glm::uvec3& triangle : triangles) {
+        const glm::dvec3 a(positions[triangle.x]), b(positions[triangle.y]);
+        const glm::dvec3 c(positions[triangle.z]);
+        if (glm::cross(b - a, c - a) == glm::dvec3(0.0)) continue;
+        for (const glm::dvec3& corner : {a, b, c}) extent.grow(corner);
+    }
     return extent;
 }
 
+Extent extent_of(std::span<const glm::dvec3> positions, std::span<const glm::uvec3> triangles) {
+    return extent_of_triangles(positions, triangles);
+}
+
 Extent extent_of(const Mesh& mesh) {
-    Extent extent;
-    for (const glm::uvec3& triangle : mesh.triangles)
-        for (glm::length_t corner = 0; corner < 3; ++corner)
-            extent.grow(glm::dvec3(mesh.positions[triangle[corner]]));
-    return extent;
+    return extent_of_triangles(mesh.positions, mesh.triangles);
 }
 
 void SceneExtent::add(const Extent& thing) {

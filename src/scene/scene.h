@@ -12,6 +12,7 @@
 #include "scene/material.h"
 #include "scene/settings.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct Scene {
     std::vector<Camera> cameras;
     RenderSettings settings;
     ChapterScene chapter;
+    std::vector<std::filesystem::path> files; ///< that it was read from, or may have been
     std::vector<std::string> notes; ///< what was mapped, ignored or added, a sentence each
 };
 

@@ -84,6 +84,32 @@ TEST_CASE("two outputs in one place are refused") {
     }
 }
 
+TEST_CASE("what a command reads is not overwritten, by whatever name") {
+    const Folder folder;
+    folder.write("crate.obj", "mtllib crate.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+                              "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+    folder.write("crate.mtl", "newmtl m\nmap_Kd crate.png\n");
+    const fs::path images = ONDE_SOURCE_DIR "/tests/data/fuzz/image";
+    fs::copy_file(images / "rgb.png", folder / "crate.png");
+    fs::create_symlink("crate.obj", folder.path() / "link.png");
+    fs::copy_file(images / "plain.hdr", folder / "sky.hdr");
+    const auto before = folder.files();
+    const auto drawing = [](const Arguments& more) { return render("crate.obj", more); };
+    for (const Arguments& line :
+         {drawing({}), drawing({"-o", "link.png"}),
+          drawing({"-o", "other.png", "--json", "crate.mtl"}),
+          drawing({"--environment", "sky.hdr", "-o", "other.png", "--json", "./sky.hdr"}),
+          Arguments{"thumbnail", "crate.obj", "-o", ".", "--size", "16", "--spp", "1"},
+          Arguments{"inspect", "crate.obj", "--pixel", "1,1", "--dot", "crate.obj"},
+          Arguments{"compare", "crate.png", "crate.png", "--diff", "crate.png"}}) {
+        const Outcome outcome = onde::test::onde(folder, line);
+        INFO(outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::Contains("is read from here"));
+        CHECK(folder.files() == before);
+    }
+}
+
 TEST_CASE("extensions in any case say what is written") {
     const Folder folder;
     const Outcome outcome =

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 using namespace onde::test;
 
 namespace {
@@ -222,6 +224,29 @@ TEST_CASE("--aov traversal-cost writes what each pixel tests beside every pictur
         sum += counts.pixels[i + 2];
     }
     CHECK_THAT(outcome.err, Catch::Contains(std::to_string(long(sum)) + " tests of boxes"));
+}
+
+TEST_CASE("--aov alpha writes the matte that a transparent background gives the picture") {
+    const Folder folder;
+    folder.write("ball.toml", "[camera]\nposition = [0, 0, 4]\nlook_at = [0, 0, 0]\n"
+                              "[[shape]]\ntype = \"sphere\"\n[environment]\nradiance = 1\n");
+    const Outcome outcome =
+        onde::test::onde(folder, render("ball.toml", {"-o", "a.png", "--spp", "4", "--aov", "alpha",
+                                                      "--background", "transparent"}));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const auto image_of = [&](const char* name) {
+        const std::string bytes = content(folder / name);
+        return onde::decode_byte_image(
+            {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, name);
+    };
+    const onde::ByteImage picture = image_of("a.png"), matte = image_of("a.alpha.png");
+    std::set<uint8_t> seen;
+    for (size_t i = 0; i < picture.rgba.size(); i += 4) {
+        CHECK(std::abs(int(matte.rgba[i]) - int(picture.rgba[i + 3])) <= 1);
+        seen.insert(matte.rgba[i]);
+    }
+    CHECK((seen.contains(0) && seen.contains(255) && seen.size() > 3));
 }
 
 TEST_CASE("--aov sample-count writes how many samples each pixel has") {

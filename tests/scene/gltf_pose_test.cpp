@@ -144,9 +144,9 @@ TEST_CASE("of animations that move the same the first counts, or the one that is
     builder.floats(3, {1, 0, 0});
     builder.floats(3, {2, 0, 0});
     builder.floats(3, {7, 7, 7});
-    const auto load = [&](const std::string& animation) {
+    const auto load = [&](const std::string& animation, std::optional<double> at = 0.0) {
         LoadOptions options;
-        options.at = 0.0;
+        options.at = at;
         options.animation = animation;
         const auto channel = [](const char* name, int output, const char* path) {
             return fmt::format(R"({{"name": "{}", "samplers": [{{"input": 1, "output": {}}}],
@@ -163,7 +163,8 @@ TEST_CASE("of animations that move the same the first counts, or the one that is
     CHECK(has_note(load(""), "--animation"));
     CHECK(close(placed(load("run"), 1), {2 + 1, 0, 0}));
     CHECK(close(placed(load("2"), 1), {7, 0, 0}));
-    CHECK_THROWS_WITH(load("fly"), Catch::Contains("0 'walk', 1 'run', 2 'grow'"));
+    for (const auto at : {std::optional(0.0), std::optional<double>()})
+        CHECK_THROWS_WITH(load("fly", at), Catch::Contains("0 'walk', 1 'run', 2 'grow'"));
 }
 
 TEST_CASE("instances of EXT_mesh_gpu_instancing are placed within their node") {

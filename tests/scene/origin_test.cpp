@@ -115,9 +115,11 @@ TEST_CASE("OBJ, PLY and STL files in map coordinates keep their digits") {
 TEST_CASE("stray triangles without area do not keep a scene where it is") {
     const Scene obj = loaded("a.obj", OBJ + "f 6 6 6\n", FAR);
     CHECK(glm::distance(obj.origin, FAR) < 10.0);
-    CHECK(extent_of(Mesh{.positions = {{0, 0, 0}, {9, 9, 9}, {10, 9, 9}, {9, 10, 9}},
-                         .triangles = {{1, 2, 3}, {0, 0, 1}, {0, 0, 0}}})
-              .low == glm::dvec3(9));
+
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {9, 9, 9}, {10, 9, 9}, {9, 10, 9}};
+    mesh.triangles = {{1, 2, 3}, {0, 0, 1}, {0, 0, 0}};
+    CHECK(extent_of(mesh).low == glm::dvec3(9));
 }
 
 TEST_CASE("nodes of a glTF file that stand far out keep their digits") {

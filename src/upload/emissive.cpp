@@ -19,6 +19,10 @@ static double parallelogram(glm::vec3 edge1, glm::vec3 edge2) {
     return glm::length(glm::cross(edge1, edge2));
 }
 
+bool emits(const Material& material) {
+    return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
+}
+
 EmissivePrimitive emissive_triangle(uint32_t primitive, uint32_t material,
                                     const glm::vec3 corner[3], float orientation) {
     const glm::vec3 edge1 = corner[1] - corner[0], edge2 = corner[2] - corner[0];

@@ -17,6 +17,9 @@ struct EmissivePrimitive {
     double area = 0; ///< of the face that emits, or of each of two
 };
 
+/// Whether a surface of that material emits at all.
+bool emits(const Material& material);
+
 /// orientation: -1 when the front face looks against cross(corner 1 - 0, corner 2 - 0).
 EmissivePrimitive emissive_triangle(uint32_t primitive, uint32_t material,
                                     const glm::vec3 corner[3], float orientation);

@@ -19,4 +19,9 @@ uint32_t encode_octahedral(glm::vec3 v) {
     return quantize(x) | quantize(y) << 16;
 }
 
+glm::vec3 unit_or(glm::vec3 v, glm::vec3 fallback) {
+    const float length = glm::length(v);
+    return length > 0.0f && std::isfinite(length) ? v / length : fallback;
+}
+
 } // namespace onde

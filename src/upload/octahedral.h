@@ -12,4 +12,7 @@ namespace onde {
 /// 7e-5 radians.
 uint32_t encode_octahedral(glm::vec3 unit);
 
+/// The vector at length 1, or `fallback` where that can't be.
+glm::vec3 unit_or(glm::vec3 v, glm::vec3 fallback);
+
 } // namespace onde

@@ -1,4 +1,5 @@
 // The same scene in other coordinates: far away, huge, tiny, seen from afar, turned often.
+#include "render/faceted_ball.h"
 #include "render/picture.h"
 #include "scene/scratch.h"
 
@@ -81,26 +82,6 @@ radiance = 0.2
                                              point(1, 2, 5), point(0, 0.4, 0), point(0, 0, 0),
                                              point(0.6, 0.5, 0), point(0.3, 0.2, 1), point(2, 3, 2),
                                              point(-1, 3, 0))));
-}
-
-/// A sphere of flat triangles, whose rows at the poles are narrow ones.
-Mesh faceted_ball(uint32_t columns, uint32_t rows) {
-    Mesh mesh;
-    const double pi = std::acos(-1.0);
-    for (uint32_t j = 0; j <= rows; j++)
-        for (uint32_t i = 0; i < columns; i++) {
-            const double up = pi * j / rows, around = 2 * pi * i / columns;
-            mesh.positions.emplace_back(std::sin(up) * std::cos(around), std::cos(up),
-                                        std::sin(up) * std::sin(around));
-        }
-    for (uint32_t j = 0; j < rows; j++)
-        for (uint32_t i = 0; i < columns; i++) {
-            const uint32_t a = j * columns + i, b = j * columns + (i + 1) % columns;
-            mesh.triangles.emplace_back(a, b, a + columns);
-            mesh.triangles.emplace_back(b, b + columns, a + columns);
-        }
-    mesh.materials.assign(mesh.triangles.size(), 0);
-    return mesh;
 }
 
 /// Convex mirrors that reflect a half, in a white world: every pixel is 1 or a half, and a quarter

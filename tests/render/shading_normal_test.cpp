@@ -1,31 +1,15 @@
 // Shading normals that differ from the surface's own.
+#include "render/faceted_ball.h"
 #include "render/picture.h"
-
-#include <cmath>
 
 namespace onde::test {
 namespace {
 
 /// A mirror of few triangles with the normals of a ball, which reflects a half of a white world.
 Scene mirror_ball() {
-    constexpr uint32_t COLUMNS = 10, ROWS = 6;
     Scene scene;
-    Mesh mesh;
-    const double pi = std::acos(-1.0);
-    for (uint32_t j = 0; j <= ROWS; j++)
-        for (uint32_t i = 0; i < COLUMNS; i++) {
-            const double up = pi * j / ROWS, around = 2 * pi * i / COLUMNS;
-            mesh.normals.push_back(glm::normalize(glm::vec3(
-                std::sin(up) * std::cos(around), std::cos(up), std::sin(up) * std::sin(around))));
-        }
-    mesh.positions = mesh.normals;
-    for (uint32_t j = 0; j < ROWS; j++)
-        for (uint32_t i = 0; i < COLUMNS; i++) {
-            const uint32_t a = j * COLUMNS + i, b = j * COLUMNS + (i + 1) % COLUMNS;
-            mesh.triangles.emplace_back(a, b, a + COLUMNS);
-            mesh.triangles.emplace_back(b, b + COLUMNS, a + COLUMNS);
-        }
-    mesh.materials.assign(mesh.triangles.size(), 0);
+    Mesh mesh = faceted_ball(10, 6);
+    mesh.normals = mesh.positions;
     Material material;
     material.kind = MaterialKind::conductor;
     material.base_color = glm::vec3(0.5f);

@@ -7,6 +7,7 @@
 using namespace onde;
 using onde::test::Builder;
 using onde::test::bytes_of;
+using onde::test::has_note;
 using onde::test::ScratchFolder;
 using onde::test::triangle;
 
@@ -22,12 +23,6 @@ glm::vec3 placed(const Scene& scene, size_t vertex, size_t instance = 0) {
 
 bool close(const glm::vec3& a, const glm::vec3& b) {
     return glm::length(a - b) < 1e-5f;
-}
-
-bool has_note(const Scene& scene, const std::string& text) {
-    for (const std::string& note : scene.notes)
-        if (note.find(text) != std::string::npos) return true;
-    return false;
 }
 
 } // namespace

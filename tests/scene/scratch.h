@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <filesystem>
@@ -52,6 +53,11 @@ std::string bytes_of(std::initializer_list<T> values) {
     std::string bytes(values.size() * sizeof(T), '\0');
     std::memcpy(bytes.data(), values.begin(), bytes.size());
     return bytes;
+}
+
+inline bool has_note(const Scene& scene, const std::string& text) {
+    return std::ranges::any_of(
+        scene.notes, [&](const std::string& note) { return note.find(text) != std::string::npos; });
 }
 
 /// The InputError's sentence when the scene is loaded, or "" when it loads. Any other exception

@@ -5,6 +5,7 @@
 
 using namespace onde;
 using onde::test::bytes_of;
+using onde::test::has_note;
 using onde::test::load_error;
 using onde::test::ScratchFolder;
 
@@ -39,11 +40,6 @@ std::string error_of(const std::string& bytes) {
     if (!error.empty()) CHECK_THAT(error, Catch::Contains("evil.stl"));
     CHECK(error.find('\n') == std::string::npos);
     return error;
-}
-
-bool has_note(const Scene& scene, const std::string& text) {
-    return std::ranges::any_of(
-        scene.notes, [&](const std::string& note) { return note.find(text) != std::string::npos; });
 }
 
 } // namespace

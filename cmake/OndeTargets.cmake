@@ -24,7 +24,7 @@ endif()
 # onde_library(NAME DEPS libraries...): the folder's .cpp files as a static library.
 function(onde_library name)
   cmake_parse_arguments(ARG "" "" "DEPS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC onde_options ${ARG_DEPS})
 endfunction()

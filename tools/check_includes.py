@@ -50,6 +50,9 @@ DOORS = [
     (re.compile(r"embree"), re.compile(r"^$"), "Embree is an oracle for tests, not for the renderer"),
 ]
 
+# Readers of file formats, folders of src/scene, which know nothing of each other.
+READERS = {"gltf", "obj", "ply", "stl", "toml"}
+
 # Everywhere else in the kernels, code is written for any width, real, or for sixteen, real16.
 VECTOR_OF_16 = re.compile(r"\b(as_)?(float|u?int)16\b")
 OWNS_THE_WIDTH = "kernels/math/lanes.h"
@@ -79,6 +82,14 @@ def broken_arrow(folder, name, arrows):
     target = name.split("/")[0]
     if target != folder and target not in arrows[folder]:
         return f"{folder} may not include {target}"
+    return None
+
+
+def broken_reader(file, name):
+    """Why a reader's `file` may not include "name", or None."""
+    own, other = (re.match(r"(?:src/)?scene/(\w+)/", text) for text in (file, name))
+    if own and other and own[1] != other[1] and {own[1], other[1]} <= READERS:
+        return f"the reader of {own[1]} may not know that of {other[1]}"
     return None
 
 
@@ -140,7 +151,7 @@ def check_tree(tree, arrows):
         for number, is_system, name in includes(path):
             why = broken_door(file, name)
             if not is_system:
-                why = why or broken_arrow(folder, name, arrows)
+                why = why or broken_arrow(folder, name, arrows) or broken_reader(file, name)
             if why:
                 yield f"{file}:{number}: {name}: {why}"
 

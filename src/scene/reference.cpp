@@ -2,9 +2,9 @@
 
 #include "scene/field_text.h"
 #include "scene/file_words.h"
-#include "scene/gltf_extensions.h"
+#include "scene/gltf/extensions.h"
 #include "scene/scene.h"
-#include "scene/toml_keys.h"
+#include "scene/toml/keys.h"
 
 #include <fmt/ranges.h>
 

@@ -3,7 +3,7 @@
 #include "core/files.h"
 #include "image/image_io.h"
 #include "render/options.h"
-#include "scene/toml_keys.h"
+#include "scene/toml/keys.h"
 
 #include <catch2/catch.hpp>
 

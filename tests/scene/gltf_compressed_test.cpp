@@ -1,5 +1,5 @@
 // Compressed files hold the same geometry as plain ones.
-#include "scene/gltf_meshopt.h"
+#include "scene/gltf/meshopt.h"
 #include "scratch.h"
 #include "support/assets.h"
 

@@ -1,4 +1,4 @@
-#include "scene/gltf_specular_glossiness.h"
+#include "scene/gltf/specular_glossiness.h"
 #include "scratch.h"
 
 using namespace onde;

@@ -1,5 +1,5 @@
 // TOML that would make a parser recurse until its stack overflows is refused before.
-#include "scene/toml_depth.h"
+#include "scene/toml/depth.h"
 #include "scratch.h"
 
 using namespace onde;

@@ -1,0 +1,31 @@
+// What the nodes of a glTF file place stays in double precision until all is known, then becomes
+// floats that are counted from the scene's origin.
+#pragma once
+
+#include "scene/gltf/file.h"
+#include "scene/scene.h"
+
+#include <span>
+#include <vector>
+
+namespace onde::gltf {
+
+/// A mesh of the scene, or a camera or light of the file.
+struct Placement {
+    uint32_t index = 0, node = 0;
+    glm::dmat4 to_world{1.0};
+};
+
+struct Placements {
+    std::vector<Placement> meshes, cameras, lights;
+};
+
+/// Adds instances, cameras and lights to the scene and chooses its origin. The positions of its
+/// meshes are counted from `mesh_origins`. Throws InputError for cameras that can't be.
+void place(File& file, const Placements& placements, std::vector<glm::dvec3> mesh_origins,
+           Scene& scene);
+
+/// Whether a transform flattens space, as exporters do to hide an object.
+bool is_flat(const glm::mat4& m);
+
+} // namespace onde::gltf

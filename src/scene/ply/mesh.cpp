@@ -1,10 +1,10 @@
-#include "scene/ply_mesh.h"
+#include "scene/ply/mesh.h"
 
 #include "core/error.h"
 #include "scene/mesh_parts.h"
 #include "scene/origin.h"
-#include "scene/ply_body.h"
-#include "scene/ply_words.h"
+#include "scene/ply/body.h"
+#include "scene/ply/words.h"
 #include "scene/triangulate.h"
 #include "scene/vertex_color.h"
 

@@ -159,6 +159,7 @@ OUTLINED LightVertex light_vertex(SceneView view, LightPath path, Hits hit, Samp
 
     Vertex v;
     v.surface = surface_at(view, path.origin, path.direction, hit, found);
+    v.surface.bulge = (real)(0.0f); // light arrives at triangles, and has to leave from there
     v.t = choose(found, hit.t, (real)(0.0f));
     v.basis = make_basis(v.surface.normal);
     v.wo = to_local(v.basis, negate3(path.direction));

@@ -10,6 +10,10 @@
 #ifndef ONDE_TEXTURES
     #define ONDE_TEXTURES 1
 #endif
+// Whether some triangle's corners have other normals than the triangle itself.
+#ifndef ONDE_CURVED
+    #define ONDE_CURVED 1
+#endif
 #ifndef ONDE_NORMAL_MAPS
     #define ONDE_NORMAL_MAPS 1
 #endif

@@ -2,6 +2,7 @@
 #ifndef ONDE_SHADE_SURFACE_H
 #define ONDE_SHADE_SURFACE_H
 
+#include "shade/bulge.h"
 #include "shade/normal_map.h"
 #include "shade/origins.h"
 #include "shade/shape_point.h"
@@ -10,6 +11,7 @@
 typedef struct {
     real3 position;
     real lift;       // by which rays leave the surface
+    real bulge;      // how far the curved surface that it stands for lies above it on that side
     real3 geometric; // unit, on the side that the ray came from
     real3 normal;    // shading normal on that side, unit
     UvSets uv;
@@ -54,7 +56,8 @@ INLINE Surface on_shape(SceneView view, natural record, Placement placement, rea
 
 // The same for all lanes, as triangles. The normals are those of fronts.
 INLINE Surface on_triangle(SceneView view, natural record, Placement placement, Corners corners,
-                           real3 met, real u, real v, natural tag, Surface s, mask curved) {
+                           real3 met, real3 direction, real u, real v, natural tag, Surface s,
+                           mask curved) {
     const real3 normal = RECORD3(view.surfaces, record, SurfaceRecord, triangle.geometric);
     const real plane = SURFACE_FIELD(view, record, triangle.plane);
     const PlaneSide side = plane_side(placement, normal, plane, met);
@@ -62,10 +65,16 @@ INLINE Surface on_triangle(SceneView view, natural record, Placement placement, 
     const real reach = as_real(SURFACE_REACH_BITS(tag));
     s.lift = origin_lift(s.position, placed_length(view, placement, reach));
     s.geometric = s.normal = side.normal;
+    s.bulge = (real)(0.0f);
+#if ONDE_CURVED
     if_any (curved) { // sixteen bits would bend the others, where they are mirrors, by 3e-5
         const real3 bent = placed_normal(placement, triangle_normal(view, corners, u, v));
         s.normal = choose(curved, bent, s.normal);
+        const mask front = dot3(side.normal, direction) < 0.0f;
+        const real bulge = triangle_bulge(view, record, u, v, front);
+        s.bulge = choose(curved, placed_length(view, placement, bulge), s.bulge);
     }
+#endif
     return s;
 }
 
@@ -78,6 +87,18 @@ INLINE Surface facing(Surface s, real3 direction) {
     s.normal = choose(grazing, s.geometric, s.normal);
     return s;
 }
+
+#if ONDE_CURVED
+// Whether a ray in direction d leaves the curved surface that a triangle stands for, though not the
+// triangle.
+INLINE mask leaves_curve(Surface s, real3 d) {
+    return (s.bulge > 0.0f) & (dot3(d, s.geometric) <= 0.0f) & (dot3(d, s.normal) > 0.0f);
+}
+// Where it does.
+INLINE real3 curve_exit(Surface s) {
+    return offset_origin(s.position, s.geometric, s.lift + s.bulge);
+}
+#endif
 
 // The surface at the hits of `lanes`; other lanes hold the first primitive's.
 INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hit, mask lanes) {
@@ -97,7 +118,7 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
     s.light = SURFACE_NATURAL(view, record, any.light);
     s.uv = triangle_uv(view, corners, u, v);
     s.tint = triangle_tint(view, corners, u, v);
-    s = on_triangle(view, record, placement, corners, met, u, v, tag, s,
+    s = on_triangle(view, record, placement, corners, met, direction, u, v, tag, s,
                     triangle & ((tag & SURFACE_FLAT) == 0u));
 #if ONDE_SPHERES
     const mask sphere = lanes & ((tag & SURFACE_SPHERE) != 0u);

@@ -18,14 +18,22 @@ typedef struct {
 INLINE real3 vertex_exit(Vertex v, real3 d) {
     const real3 side = choose(dot3(d, v.surface.geometric) > 0.0f, v.surface.geometric,
                               negate3(v.surface.geometric));
-    return offset_origin(v.surface.position, side, v.surface.lift);
+    real3 exit = offset_origin(v.surface.position, side, v.surface.lift);
+#if ONDE_CURVED
+    exit = choose(leaves_curve(v.surface, d), curve_exit(v.surface), exit);
+#endif
+    return exit;
 }
 
 // Opaque surfaces let no light through, whatever their shading normals say; glass must have
 // reflection and refraction on the true sides too.
 INLINE mask true_side(Vertex v, real3 wi, real3 world) {
     const real outward = dot3(world, v.surface.geometric);
-    return choose(wi.z > 0.0f, outward > 0.0f, (outward < 0.0f) & bsdf_transmits(v.bsdf));
+    mask above = outward > 0.0f;
+#if ONDE_CURVED
+    above = above | leaves_curve(v.surface, world);
+#endif
+    return choose(wi.z > 0.0f, above, (outward < 0.0f) & bsdf_transmits(v.bsdf));
 }
 
 // Russian roulette: the probability with which a path of this throughput goes on. What carries a

@@ -207,9 +207,11 @@ typedef struct {
 // where the scene needs it, by the index of the vertex: uvs are the sets of texture coordinates
 // after the first, two floats each, set by set; colors linear RGBA of 16 bits each; tangents
 // octahedral, with the lowest bit replaced by the sign of the bitangent.
+// bulges: by surface, of scenes with curved triangles; see src/upload/bulge.h.
 // srgb: 256 entries, from 8-bit sRGB to linear. environment: 3 floats per pixel.
 #define SCENE_BUFFERS(BUFFER)                                                                      \
     BUFFER(SurfaceRecord, surfaces, "surfaces")                                                    \
+    BUFFER(uint, bulges, "bulges of curved triangles")                                             \
     BUFFER(VertexRecord, vertices, "vertices")                                                     \
     BUFFER(float, uvs, "further texture coordinates")                                              \
     BUFFER(uint, colors, "vertex colours")                                                         \

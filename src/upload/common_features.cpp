@@ -14,6 +14,7 @@ constexpr uint32_t ROOM_KINDS =
 
 SceneFeatures model_features() {
     return {.instances = true,
+            .curved = true,
             .textures = true,
             .normal_maps = true,
             .environment = true,
@@ -37,7 +38,8 @@ std::vector<CommonFeatures> common_features() {
                                .kinds = ROOM_KINDS,
                                .lights = bit(LIGHT_DISK) | bit(LIGHT_ENVIRONMENT),
                                .stack_size = 64};
-    const SceneFeatures textured{.textures = true,
+    const SceneFeatures textured{.curved = true,
+                                 .textures = true,
                                  .normal_maps = true,
                                  .environment = true,
                                  .culling = true,

@@ -20,6 +20,7 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(bool, instances, false, INSTANCES, either)                                             \
     FEATURE(bool, spheres, false, SPHERES, either)                                                 \
     FEATURE(bool, shapes, false, SHAPES, either)                                                   \
+    FEATURE(bool, curved, false, CURVED, either) /* triangles have normals of their own */         \
     FEATURE(bool, textures, false, TEXTURES, either)                                               \
     FEATURE(bool, normal_maps, false, NORMAL_MAPS, either)                                         \
     FEATURE(bool, environment, false, ENVIRONMENT, either)                                         \

@@ -117,6 +117,7 @@ FlatGeometry flatten_geometry(const Scene& scene) {
             flat.placements.push_back({geometry_of[instance.mesh], instance.object_to_world});
     ShapeWriter shapes(scene, flat);
     for (const Shape& shape : scene.shapes) shapes.add(shape);
+    if (!flat.bulges.empty()) flat.bulges.resize(flat.surfaces.size());
     return flat;
 }
 

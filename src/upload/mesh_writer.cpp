@@ -1,5 +1,6 @@
 #include "upload/mesh_writer.h"
 
+#include "upload/bulge.h"
 #include "upload/octahedral.h"
 #include "upload/triangle_plane.h"
 #include "upload/words.h"
@@ -70,6 +71,15 @@ uint32_t MeshWriter::corner_vertex(const Mesh& mesh, uint32_t corner, glm::vec3 
     return other->second;
 }
 
+void MeshWriter::add_bulge(const Mesh& mesh, glm::uvec3 corners, const glm::vec3 (&p)[3],
+                           glm::vec3 geometric) {
+    glm::vec3 normals[3];
+    for (uint32_t k = 0; k < 3; k++)
+        normals[k] = unit_or(normal_matrix_ * mesh.normals[corners[k]], geometric);
+    flat_.bulges.resize(flat_.surfaces.size() + 1);
+    flat_.bulges.back() = encode_bulge(p, normals, geometric);
+}
+
 void MeshWriter::add_surface(const Mesh& mesh, size_t triangle) {
     const glm::uvec3 corners = mesh.triangles[triangle];
     glm::vec3 p[3];
@@ -91,6 +101,7 @@ void MeshWriter::add_surface(const Mesh& mesh, size_t triangle) {
             flat &= mesh.normals.empty() || flat_.vertices[surface.vertex[k]].normal == normal;
         }
     }
+    if (!flat) add_bulge(mesh, corners, p, geometric);
     surface.tag = material | SURFACE_REACH(plane.reach) | (flat ? SURFACE_FLAT : 0);
     if (emits(scene_.materials[material]))
         flat_.emissive.push_back(emissive_triangle(primitive, material, p, orientation_));

@@ -35,6 +35,10 @@ class MeshWriter {
     uint32_t corner_vertex(const Mesh& mesh, uint32_t corner, glm::vec3 geometric,
                            uint32_t tangent);
 
+    /// Of a curved triangle: how it bulges.
+    void add_bulge(const Mesh& mesh, glm::uvec3 corners, const glm::vec3 (&p)[3],
+                   glm::vec3 geometric);
+
     void add_surface(const Mesh& mesh, size_t triangle);
 
     const Scene& scene_;

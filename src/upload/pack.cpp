@@ -28,6 +28,7 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.layout = packed.bvh.layout;
     features.spheres = !scene.spheres.empty();
     features.shapes = !scene.shapes.empty();
+    features.curved = !packed.bulges.empty();
     features.textures = !scene.textures.empty();
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         features.normal_maps |= scene.materials[i].normal_texture != NO_TEXTURE;
@@ -76,6 +77,7 @@ static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry 
     packed.lights = std::move(lights.records);
     packed.environment_light = lights.environment;
     packed.surfaces = std::move(flat.surfaces);
+    packed.bulges = std::move(flat.bulges);
     packed.vertices = std::move(flat.vertices);
     packed.uvs = std::move(flat.uvs);
     packed.colors = std::move(flat.colors);

@@ -40,6 +40,7 @@ inline SceneFeatures all_features() {
     return {.instances = true,
             .spheres = true,
             .shapes = true,
+            .curved = true,
             .textures = true,
             .normal_maps = true,
             .environment = true,

@@ -69,6 +69,7 @@ inline SessionOptions small_session(IntegratorKind integrator = IntegratorKind::
     options.features = SceneFeatures{.instances = true,
                                      .spheres = true,
                                      .shapes = true,
+                                     .curved = true,
                                      .textures = true,
                                      .normal_maps = true,
                                      .environment = true,

@@ -119,7 +119,14 @@ INLINE real3 mirror_direction(WhittedVertex v) {
 
 // Where a ray in direction d leaves the vertex.
 INLINE AdvancedOrigin whitted_exit(WhittedVertex v, real3 d) {
-    return advance_origin(v.surface.position, v.surface.geometric, d, v.surface.lift);
+    AdvancedOrigin exit =
+        advance_origin(v.surface.position, v.surface.geometric, d, v.surface.lift);
+#if ONDE_CURVED
+    const mask over = leaves_curve(v.surface, d);
+    exit.origin = choose(over, curve_exit(v.surface), exit.origin);
+    exit.passed = choose(over, (real)(0.0f), exit.passed);
+#endif
+    return exit;
 }
 
 // max(r.v, 0)^e, with r the mirror image of the direction to the sample; cosine: n.l. As r and v

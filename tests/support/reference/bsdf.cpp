@@ -50,12 +50,13 @@ glm::vec3 refracted(const glm::vec3& wo, const glm::vec3& h, float eta) {
 } // namespace
 
 Bsdf::Bsdf(const MaterialRecord& material, const glm::vec3& geometric_normal,
-           const glm::vec3& normal, const glm::vec3& wo)
+           const glm::vec3& normal, const glm::vec3& wo, bool bulges)
     : geometric_normal_(glm::dot(geometric_normal, wo) < 0.0f ? -geometric_normal
                                                               : geometric_normal),
       frame_(shading_normal(material.kind, geometric_normal_, normal, wo)),
       wo_(frame_.to_local(wo)), alpha_(material.roughness * material.roughness),
-      delta_(alpha_ < SMOOTH_ALPHA), transparent_(material.kind == MaterialKind::dielectric) {
+      delta_(alpha_ < SMOOTH_ALPHA), transparent_(material.kind == MaterialKind::dielectric),
+      bulges_(bulges) {
     if (!transparent_) {
         set_opaque(material);
         return;
@@ -85,8 +86,12 @@ void Bsdf::set_opaque(const MaterialRecord& material) {
     specular_pmf_ = glm::clamp(fresnel / (fresnel + rest), 0.1f, 0.9f);
 }
 
+bool Bsdf::leaves_curve(const glm::vec3& wi) const {
+    return bulges_ && glm::dot(wi, geometric_normal_) <= 0.0f && frame_.to_local(wi).z > 0.0f;
+}
+
 bool Bsdf::same_side(const glm::vec3& wi, const glm::vec3& wi_local) const {
-    return (glm::dot(wi, geometric_normal_) > 0.0f) == (wi_local.z > 0.0f);
+    return leaves_curve(wi) || (glm::dot(wi, geometric_normal_) > 0.0f) == (wi_local.z > 0.0f);
 }
 
 Scattering Bsdf::eval(const glm::vec3& wi) const {

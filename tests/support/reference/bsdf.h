@@ -28,14 +28,18 @@ struct ScatteringSample {
 class Bsdf {
   public:
     /// `material` has its textures applied; `normal` is the shading normal, on the front side;
-    /// `wo` is unit and points to the viewer.
+    /// `wo` is unit and points to the viewer. Where the surface `bulges`, directions above the
+    /// shading normal are on the viewer's side though they be below the surface.
     Bsdf(const MaterialRecord& material, const glm::vec3& geometric_normal, const glm::vec3& normal,
-         const glm::vec3& wo);
+         const glm::vec3& wo, bool bulges = false);
 
     /// Whether eval can be other than zero: light sampling is worth a ray.
     bool has_smooth_lobe() const {
         return transparent_ ? !delta_ : !delta_ || specular_pmf_ < 1.0f;
     }
+    /// Whether that direction leaves the curved surface, though not the triangle.
+    bool leaves_curve(const glm::vec3& wi) const;
+    glm::vec3 geometric_normal() const { return geometric_normal_; } ///< on the viewer's side
     Scattering eval(const glm::vec3& wi) const;
     /// Nothing when the light is absorbed.
     std::optional<ScatteringSample> sample(Random& random) const;
@@ -58,6 +62,7 @@ class Bsdf {
     float eta_ = 1.0f;          ///< index on the other side over index on the viewer's side
     bool delta_;
     bool transparent_;
+    bool bulges_;
 };
 
 } // namespace onde::reference

@@ -20,6 +20,18 @@ T interpolate(const T& a, const T& b, const T& c, const glm::vec2& uv) {
     return a * (1.0f - uv.x - uv.y) + b * uv.x + c * uv.y;
 }
 
+/// How far the planes that the corners' normals n stand on lie above the triangle p, at weights w,
+/// summed edge by edge where it is convex as seen from `side` (1 or -1) of `up`.
+float bulge(const glm::vec3 (&p)[3], glm::vec3 (&n)[3], const glm::vec3& w, const glm::vec3& up,
+            float side) {
+    for (glm::vec3& normal : n)
+        normal = glm::dot(normal, up) < 0.0f ? -glm::normalize(normal) : glm::normalize(normal);
+    float sum = 0.0f;
+    for (int i = 0, j = 1; i < 3; j = (++i + 1) % 3)
+        sum += w[i] * w[j] * std::max(0.0f, side * glm::dot(p[i] - p[j], n[i] - n[j]));
+    return sum;
+}
+
 RTCRay embree_ray(const glm::vec3& origin, const glm::vec3& direction, float distance) {
     RTCRay ray{};
     ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
@@ -81,12 +93,22 @@ SurfacePoint Geometry::triangle_point(const Hit& hit) const {
         point.shading_normal =
             interpolate(mesh.normals[t.x], mesh.normals[t.y], mesh.normals[t.z], hit.barycentric);
     point.material = mesh.materials[hit.primitive];
+    if (!mesh.normals.empty()) {
+        const glm::vec3 corners[] = {p0, p1, p2};
+        glm::vec3 normals[] = {mesh.normals[t.x], mesh.normals[t.y], mesh.normals[t.z]};
+        const glm::vec3 w(1.0f - hit.barycentric.x - hit.barycentric.y, hit.barycentric);
+        point.front_bulge = bulge(corners, normals, w, point.geometric_normal, 1.0f);
+        point.back_bulge = bulge(corners, normals, w, point.geometric_normal, -1.0f);
+    }
     float extent = largest(glm::max(glm::max(glm::abs(p0), glm::abs(p1)), glm::abs(p2)));
     if (!shape.baked) {
         const glm::mat3 linear(shape.to_world);
         point.position = shape.to_world * glm::vec4(point.position, 1.0f);
         point.geometric_normal = shape.normal_to_world * point.geometric_normal;
         point.shading_normal = shape.normal_to_world * point.shading_normal;
+        const float scale =
+            std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
+        point.front_bulge *= scale, point.back_bulge *= scale;
         extent = extent * largest(glm::abs(linear[0]) + glm::abs(linear[1]) + glm::abs(linear[2])) +
                  largest(shape.to_world[3]);
     }

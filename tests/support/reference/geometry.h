@@ -31,6 +31,9 @@ struct SurfacePoint {
     glm::vec3 shading_normal;
     uint32_t material;
     float clearance; ///< how far a ray's origin must leave the surface so as not to meet it again
+    /// How far the curved surface that a triangle's normals speak of lies above it, on its front
+    /// and above its back.
+    float front_bulge = 0.0f, back_bulge = 0.0f;
 };
 
 /// In world space, counter-clockwise seen from the front.

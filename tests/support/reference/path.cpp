@@ -7,7 +7,15 @@ namespace onde::reference {
 struct PathTracer::Vertex {
     SurfacePoint point;
     glm::vec3 emission; ///< toward the viewer
+    float bulge;        ///< on the viewer's side
     Bsdf bsdf;
+
+    /// The origin of a ray that leaves to the side of `direction`, or from the curved surface.
+    glm::vec3 leave(const glm::vec3& direction) const {
+        if (bsdf.leaves_curve(direction))
+            return point.position + (point.clearance + bulge) * bsdf.geometric_normal();
+        return leave_surface(point, direction);
+    }
 };
 
 PathTracer::Vertex PathTracer::shade(const Hit& hit, const SurfacePoint& point,
@@ -22,10 +30,9 @@ PathTracer::Vertex PathTracer::shade(const Hit& hit, const SurfacePoint& point,
     glm::vec3 normal = point.shading_normal;
     if (material.normal_texture != NO_TEXTURE)
         normal = appearance_.mapped_normal(material, uv, geometry_.tangents(hit), normal);
-    if (!material.textured)
-        return {point, emission, Bsdf(material, point.geometric_normal, normal, wo)};
-    const MaterialRecord here = appearance_.at(material, uv);
-    return {point, emission, Bsdf(here, point.geometric_normal, normal, wo)};
+    const float bulge = front ? point.front_bulge : point.back_bulge;
+    const MaterialRecord here = material.textured ? appearance_.at(material, uv) : material;
+    return {point, emission, bulge, Bsdf(here, point.geometric_normal, normal, wo, bulge > 0.0f)};
 }
 
 float PathTracer::emission_weight(float bsdf_pdf, float light_pdf) const {
@@ -53,7 +60,7 @@ glm::vec3 PathTracer::direct_light(const Vertex& vertex, Random& random, RayCoun
     const float weight = light_weight(*light, scattering.pdf);
     const glm::vec3 contribution = scattering.value * light->radiance * (weight / light->pdf);
     if (contribution == glm::vec3(0.0f)) return contribution;
-    const glm::vec3 origin = leave_surface(vertex.point, light->direction);
+    const glm::vec3 origin = vertex.leave(light->direction);
     const glm::vec3 along = light->infinite ? light->direction : light->target - origin;
     const float distance = light->infinite ? std::numeric_limits<float>::infinity() : 1.0f;
     ++counts.shadow;
@@ -96,7 +103,7 @@ glm::vec3 PathTracer::radiance(Ray ray, Random& random, RayCounts& counts) const
         previous = point.position;
         bsdf_pdf = next->pdf;
         specular = next->specular;
-        ray = {leave_surface(point, next->direction), next->direction};
+        ray = {vertex.leave(next->direction), next->direction};
     }
     return radiance;
 }

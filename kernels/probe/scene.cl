@@ -53,7 +53,7 @@ SCENE_PROBE(light_sample) {
 }
 
 // In: origin (3), direction (3), live or not. Out: whether the ray hits, distance, position (3),
-// geometric normal (3), shading normal (3), front, light, emitted radiance (3), light_pdf.
+// geometric normal (3), shading normal (3), front, light, emitted radiance (3), light_pdf, bulge.
 SCENE_PROBE(surface) {
     const real3 origin = input3(items, 0), direction = input3(items, 3);
     const mask live = input_mask(items, 6);
@@ -69,6 +69,7 @@ SCENE_PROBE(surface) {
     output(items, 12, s.light);
     output(items, 13, material_emission(view, s.material, s.uv));
     output(items, 16, light_pdf(view, origin, direction, hits.t, s));
+    output(items, 17, s.bulge);
 }
 
 // In: material, front or not, cosine of the view direction. Out: the probability of each lobe, then

@@ -62,7 +62,7 @@ Columns look(SceneProbe& probe, glm::vec3 from, const std::vector<glm::vec3>& di
     add_vectors(in, std::vector<glm::vec3>(directions.size(), from));
     add_vectors(in, directions);
     in.push_back(constant_column(directions.size(), 1));
-    return probe.run("surface", in, 17);
+    return probe.run("surface", in, 18);
 }
 
 /// Rays along the samples find the light at the same distance with the same density. Rays along
@@ -359,12 +359,12 @@ TEST_CASE("mixed lights have the same bits at every width, beside dead lanes ful
         }
     SceneProbe scalar(scene, {"light_sample", "surface"});
     const Columns samples = scalar.run("light_sample", in, 10);
-    const Columns surfaces = scalar.run("surface", rays, 17);
+    const Columns surfaces = scalar.run("surface", rays, 18);
     CHECK(std::ranges::count(surfaces[0], 1.0f) > 100);
     for (uint32_t width : {8u, 16u}) {
         INFO("width " << width);
         SceneProbe wide(scene, {"light_sample", "surface"}, width);
         CHECK(first_bit_difference(wide.run("light_sample", in, 10), samples, in[6]) == "");
-        CHECK(first_bit_difference(wide.run("surface", rays, 17), surfaces, surfaces[0]) == "");
+        CHECK(first_bit_difference(wide.run("surface", rays, 18), surfaces, surfaces[0]) == "");
     }
 }

@@ -12,6 +12,7 @@ struct Found {
     glm::dvec3 position, geometric, normal;
     bool front = false;
     uint32_t light = NO_INDEX;
+    double bulge = 0;
 };
 
 /// What a ray finds; it must find something.
@@ -20,10 +21,10 @@ Found look(SceneProbe& probe, glm::vec3 origin, glm::vec3 direction) {
     add_vectors(in, {origin});
     add_vectors(in, {direction});
     in.push_back({1});
-    const Columns out = probe.run("surface", in, 17);
+    const Columns out = probe.run("surface", in, 18);
     REQUIRE(out[0][0] == 1);
-    return {vector_at(out, 2, 0), vector_at(out, 5, 0), vector_at(out, 8, 0), out[11][0] != 0,
-            from_word(out[12][0])};
+    return {vector_at(out, 2, 0), vector_at(out, 5, 0),  vector_at(out, 8, 0),
+            out[11][0] != 0,      from_word(out[12][0]), out[17][0]};
 }
 
 void check_near(glm::dvec3 got, glm::dvec3 wanted, double bound) {
@@ -82,6 +83,29 @@ TEST_CASE("corner normals are interpolated, and turned to the side that is seen"
                        glm::dvec3(normals[2]) * 0.25);
     check_near(look(probe, BEFORE, {0, 0, -1}).normal, wanted, 1e-4);
     check_near(look(probe, BEHIND, {0, 0, 1}).normal, -wanted, 1e-4);
+}
+
+TEST_CASE("a triangle with other normals at its corners bulges on the side where it is convex") {
+    Scene scene = wall();
+    const glm::dvec3 p[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const glm::dvec3 n[] = {glm::normalize(glm::dvec3(-1, -1, 3)),
+                            glm::normalize(glm::dvec3(2, 0.5, 3)),
+                            glm::normalize(glm::dvec3(-1, -1.2, 3))}; // concave along the last edge
+    for (const glm::dvec3& normal : n) scene.meshes[0].normals.emplace_back(normal);
+    SceneProbe probe(scene, {"surface"});
+    const auto edge = [&](int i, int j) { return glm::dot(p[i] - p[j], n[i] - n[j]); };
+    REQUIRE(edge(1, 2) > 0);
+    REQUIRE(edge(2, 0) < 0);
+    // The weights are 1/2, 1/4 and 1/4.
+    const double front = edge(0, 1) / 8 + edge(1, 2) / 16, back = -edge(2, 0) / 8;
+    const double seen_front = look(probe, BEFORE, {0, 0, -1}).bulge;
+    const double seen_back = look(probe, BEHIND, {0, 0, 1}).bulge;
+    INFO(seen_front << " for " << front << ", " << seen_back << " for " << back);
+    const double unit = edge(0, 1) / 63; // at most; rounded away from 0
+    CHECK((seen_front >= front && seen_front < front + unit * 3 / 16));
+    CHECK((seen_back >= back && seen_back < back + unit / 8));
+    SceneProbe flat(wall(), {"surface"});
+    CHECK(look(flat, BEFORE, {0, 0, -1}).bulge == 0);
 }
 
 TEST_CASE("a shading normal that is seen from behind gives way to the geometric one") {

@@ -120,6 +120,16 @@ bool Film::has(const FilmChannel& channel) const {
     return channel.sums == RADIANCE_SUMS || (aovs_ >> channel.sums & 1) != 0;
 }
 
+/// The light that a scene keeps from the ground is estimated: of few samples, more than there is.
+static float developed(float sum, float samples, Develop develop) {
+    if (develop == Develop::sum) return sum;
+    if (!(samples > 0.0f)) return 0.0f;
+    const float mean = sum / samples;
+    if (develop == Develop::mean) return mean;
+    const float light = std::max(mean, 0.0f);
+    return develop == Develop::share ? std::min(light, 1.0f) : light;
+}
+
 Image Film::develop(const FilmChannel& channel) const {
     if (!has(channel))
         throw InputError("the film has no {}; ask for it before rendering", channel.name);
@@ -127,12 +137,10 @@ Image Film::develop(const FilmChannel& channel) const {
     const std::span sums =
         std::span(all).subspan(size_t(film_plane(aovs_, channel.sums)) * pixels(), pixels());
     Image image(width_, height_, channel.components);
-    for (size_t i = 0; i < sums.size(); i++) {
-        const float divisor = channel.develop == Develop::mean ? sums[i].s[3] : 1.0f;
+    for (size_t i = 0; i < sums.size(); i++)
         for (uint32_t k = 0; k < channel.components; k++)
             image.pixels[channel.components * i + k] =
-                divisor > 0 ? sums[i].s[channel.first + k] / divisor : 0.0f;
-    }
+                developed(sums[i].s[channel.first + k], sums[i].s[3], channel.develop);
     return image;
 }
 

@@ -35,8 +35,10 @@ struct FilmExtent {
 
 /// How sums become a picture.
 enum class Develop {
-    mean, ///< divided by the fourth component, the number of samples
-    sum,  ///< as they are
+    mean,  ///< divided by the fourth component, the number of samples
+    light, ///< the mean, but not below 0
+    share, ///< the mean, but within 0 and 1
+    sum,   ///< as they are
 };
 
 /// The float4 sums that radiance has; the AOVs of shared/aovs.h have others.
@@ -50,11 +52,15 @@ struct FilmChannel {
     Develop develop;
 };
 
-inline constexpr FilmChannel RADIANCE{"radiance", RADIANCE_SUMS, 0, 3, Develop::mean};
+inline constexpr FilmChannel RADIANCE{"radiance", RADIANCE_SUMS, 0, 3, Develop::light};
 inline constexpr FilmChannel SAMPLE_COUNT{"sample-count", RADIANCE_SUMS, 3, 1, Develop::sum};
 
 /// Every channel that there is. A film has those of radiance, and the AOVs that it is asked for.
-#define ONDE_CHANNEL(NAME, name, components) {#name, AOV_##NAME, 0, components, Develop::mean},
+constexpr Develop develop_of_aov(uint32_t aov) {
+    return aov == AOV_ALPHA ? Develop::share : Develop::mean;
+}
+#define ONDE_CHANNEL(NAME, name, components)                                                       \
+    {#name, AOV_##NAME, 0, components, develop_of_aov(AOV_##NAME)},
 inline constexpr FilmChannel FILM_CHANNELS[] = {RADIANCE, SAMPLE_COUNT, AOVS(ONDE_CHANNEL)};
 #undef ONDE_CHANNEL
 

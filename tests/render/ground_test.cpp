@@ -67,6 +67,26 @@ TEST_CASE("before a transparent background the shadow is alpha, and nothing else
     CHECK(alpha / 256 == Approx(RADIUS * RADIUS).epsilon(0.02));
 }
 
+TEST_CASE("a noisy shadow neither covers more than all nor leaves less than no light") {
+    Scene scene = ball_above_ground();
+    scene.environment.map = Image(8, 4, 3); // dim but for one spot near the horizon
+    for (float& value : scene.environment.map->pixels) value = 0.2f;
+    for (uint32_t k = 0; k < 3; k++) scene.environment.map->pixel(2, 1)[k] = 2.0f;
+    scene.spheres[0].radius = 0.95f;
+    RenderOptions options = small_options(16, 16, 2);
+    options.aovs = 1u << AOV_ALPHA;
+    const Image opaque = render_scene(scene, options).image;
+    CHECK(std::ranges::min(opaque.pixels) == 0.0f);
+    options.background = Background::transparent;
+    const Image image = render_scene(scene, options).image;
+    size_t full = 0;
+    for (size_t i = 3; i < image.pixels.size(); i += 4) {
+        CHECK((image.pixels[i] >= 0.0f && image.pixels[i] <= 1.0f));
+        full += image.pixels[i] == 1.0f;
+    }
+    CHECK(full > 10); // they had more
+}
+
 TEST_CASE("ground that nothing shades shows the environment as it is, and so does the other side") {
     Scene scene = ball_above_ground();
     scene.cameras[0] = camera_at({200, 1, 0}, {195, 0, 0}, 0.1f);

@@ -8,12 +8,16 @@
 // The lobes, each chosen with its probability.
 INLINE void report_bsdf(__global BounceReport* report, Bsdf b) {
 #define REPORT_LOBE(NAME, name, Type, transmits, kinds)                                            \
+    if (HAS_LOBE(NAME) && b.has.name) lobes |= 1u << LOBE_##NAME;                                  \
     report->probability[LOBE_##NAME] = HAS_LOBE(NAME) ? b.probability.name : 0.0f;
+    uint lobes = 0;
     LOBES(REPORT_LOBE)
 #undef REPORT_LOBE
-    report3(report->diffuse, HAS_LOBE(DIFFUSE) ? b.diffuse.albedo : zero3());
-    report3(report->f0, HAS_LOBE(GLOSSY) && b.has.glossy ? b.glossy.f0 : zero3());
-    report->alpha = HAS_LOBE(GLOSSY) && b.has.glossy ? b.glossy.alpha : b.dielectric.alpha;
+    report->lobes = lobes;
+    const uint glossy = lobes >> LOBE_GLOSSY & 1u, dielectric = lobes >> LOBE_DIELECTRIC & 1u;
+    report3(report->diffuse, lobes >> LOBE_DIFFUSE & 1u ? b.diffuse.albedo : zero3());
+    report3(report->f0, glossy ? b.glossy.f0 : zero3());
+    report->alpha = glossy ? b.glossy.alpha : dielectric ? b.dielectric.alpha : 0.0f;
     report->eta = bsdf_eta(b);
 }
 

@@ -45,6 +45,7 @@ typedef struct {
     float light_distance;    // of the shadow ray; 0: none was needed
     float light_radiance[3]; // what it adds if it is not blocked, weighted
     uint blocked;
+    uint lobes;                    // a bit for each that the surface has; of others nothing is said
     float probability[LOBE_COUNT]; // of choosing a lobe
     float diffuse[3], f0[3];
     float alpha, eta;

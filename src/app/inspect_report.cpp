@@ -113,11 +113,17 @@ std::string dot_label(const HitReport& hit, const Scene& scene) {
     return hit.primitive == BVH_NONE ? "background" : material_name(scene, hit.material);
 }
 
+/// Of the lobes that the surface has, and no others.
 std::string lobes_text(const BounceReport& b) {
+    std::vector<std::string> parts;
+    const auto has = [&](uint32_t lobe) { return b.lobes >> lobe & 1u; };
+    if (has(LOBE_DIFFUSE)) parts.push_back("diffuse " + text(b.diffuse));
+    if (has(LOBE_GLOSSY)) parts.push_back("f0 " + text(b.f0));
+    if (has(LOBE_DIELECTRIC)) parts.push_back(fmt::format("dielectric, eta {:.6g}", b.eta));
+    if (has(LOBE_GLOSSY) || has(LOBE_DIELECTRIC))
+        parts.push_back(fmt::format("alpha {:.4g}", b.alpha));
     std::string words =
-        b.probability[LOBE_DIELECTRIC] > 0
-            ? fmt::format("dielectric, eta {:.6g}, alpha {:.4g}", b.eta, b.alpha)
-            : fmt::format("diffuse {}, f0 {}, alpha {:.4g}", text(b.diffuse), text(b.f0), b.alpha);
+        parts.empty() ? "scatters no light" : fmt::format("{}", fmt::join(parts, ", "));
 #define ONDE_WORDS(NAME, name, Type, transmits, kinds)                                             \
     if (b.probability[LOBE_##NAME] > 0 && b.probability[LOBE_##NAME] < 1)                          \
         words += fmt::format(", " #name " lobe chosen with {:.4g}", b.probability[LOBE_##NAME]);

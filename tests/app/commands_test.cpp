@@ -79,6 +79,26 @@ TEST_CASE("inspect tells what happened to a pixel, in words and as a graph") {
                Catch::Contains("throughput (1, 1, 1)") && Catch::Contains("\nradiance ("));
 }
 
+TEST_CASE("inspect tells of a surface what its lobes have, and nothing of others") {
+    const Folder folder;
+    const auto lobes_of = [&](const std::string& material) {
+        folder.write("ball.toml", "[[material]]\nname = 'm'\n" + material +
+                                      "\n[[shape]]\ntype = 'sphere'\nmaterial = 'm'\n");
+        const std::string words = output_of(
+            folder, {"inspect", "ball.toml", "--size", "8x8", "--pixel", "4,4", "--depth", "1"});
+        const size_t found = words.find("light found"), line = words.find("\n    ", found) + 5;
+        return words.substr(line, words.find('\n', line) - line);
+    };
+    CHECK(lobes_of("type = 'diffuse'\nbase_color = 0.5") == "diffuse (0.5, 0.5, 0.5)");
+    CHECK(lobes_of("type = 'conductor'\nbase_color = 0.5\nroughness = 0.5") ==
+          "f0 (0.5, 0.5, 0.5), alpha 0.25");
+    CHECK(lobes_of("type = 'dielectric'\nior = 1.5\nroughness = 0.5") ==
+          "dielectric, eta 1.5, alpha 0.25");
+    CHECK(lobes_of("type = 'unlit'\nbase_color = 0.5") == "scatters no light");
+    CHECK_THAT(lobes_of("type = 'metallic-roughness'\nbase_color = 0.5\nroughness = 0.5"),
+               Catch::StartsWith("diffuse (0.5, 0.5, 0.5), f0 (0.04, 0.04, 0.04), alpha 0.25, "));
+}
+
 TEST_CASE("inspect says where a path meets the ground under a model, and what is behind the rest") {
     const Folder folder;
     folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

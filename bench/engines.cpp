@@ -119,7 +119,7 @@ uint32_t native_threads(const Options& options, const gpu::DeviceFacts& facts) {
 }
 
 void run(Options options) {
-    const auto size = parse_pair(options.size, 'x');
+    const auto size = parse_pair(options.size, 'x', "--size");
     if (!size) throw InputError("--size {} is not of the form 640x480", options.size);
     std::tie(options.frame.width, options.frame.height) = *size;
     if (!options.json.empty()) check_writable(options.json);

@@ -20,7 +20,7 @@ struct InspectRequest {
 };
 
 PixelSample parse_pixel(const InspectRequest& request) {
-    const auto pair = parse_pair(request.pixel, ',');
+    const auto pair = parse_pair(request.pixel, ',', "--pixel");
     if (!pair)
         throw InputError("--pixel {} is not of the form X,Y, for example 120,80", request.pixel);
     PixelSample at;

@@ -27,7 +27,7 @@ constexpr float MOST_STOPS = 64.0f;
 const std::map<std::string, bool> SWITCH{{"on", true}, {"off", false}};
 
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
-    if (const auto size = parse_pair(text, 'x')) return *size;
+    if (const auto size = parse_pair(text, 'x', "--size")) return *size;
     throw InputError("--size {} is not of the form WIDTHxHEIGHT, for example 640x480", text);
 }
 
@@ -110,18 +110,36 @@ void declare_reports(Command& command, RenderRequest& r) {
     command.flag("--quiet", r.quiet, "Print warnings and errors only");
 }
 
-/// Devices and pipes may take several.
-void check_output(const fs::path& path, std::set<fs::path>& taken) {
-    check_writable(path);
-    std::error_code ignored;
-    const bool standard = is_standard_output(path);
-    if (!standard && fs::is_other(path, ignored)) return;
-    const fs::path place =
-        standard ? STANDARD_OUTPUT : fs::weakly_canonical(fs::absolute(path), ignored);
-    if (!taken.insert(place).second)
-        throw InputError("{}: two outputs cannot go to the same place; name another",
-                         standard ? "standard output" : path.string());
-}
+/// Of a request's outputs: each can be written, and goes to a place of its own.
+class OutputCheck {
+  public:
+    void check(const fs::path& path) {
+        writable_.check(path);
+        std::error_code ignored;
+        const bool standard = is_standard_output(path);
+        // Devices and pipes may take several.
+        if (!standard && fs::is_other(path, ignored)) return;
+        if (!taken_.insert(standard ? STANDARD_OUTPUT : place_of(path)).second)
+            throw InputError("{}: two outputs cannot go to the same place; name another",
+                             standard ? "standard output" : path.string());
+    }
+
+  private:
+    /// Behind its links. Of what is new in a folder that is known, the name is enough.
+    fs::path place_of(const fs::path& path) {
+        std::error_code ignored;
+        if (fs::exists(fs::symlink_status(path, ignored)))
+            return fs::weakly_canonical(fs::absolute(path), ignored);
+        const auto [folder, is_new] = folders_.try_emplace(path.parent_path());
+        if (is_new)
+            folder->second = fs::weakly_canonical(fs::absolute(path).parent_path(), ignored);
+        return folder->second / path.filename();
+    }
+
+    WritableCheck writable_;
+    std::set<fs::path> taken_;
+    std::map<fs::path, fs::path> folders_; ///< of new files, with where they really are
+};
 
 } // namespace
 
@@ -287,8 +305,8 @@ static std::vector<fs::path> all_outputs(const std::vector<fs::path>& outputs,
 }
 
 void check_outputs(const std::vector<fs::path>& outputs, const RenderRequest& request) {
-    std::set<fs::path> taken;
-    for (const fs::path& path : all_outputs(outputs, request)) check_output(path, taken);
+    OutputCheck outputs_check;
+    for (const fs::path& path : all_outputs(outputs, request)) outputs_check.check(path);
 }
 
 void check_outputs_not_read(const std::vector<fs::path>& outputs, const RenderRequest& request,

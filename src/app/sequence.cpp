@@ -47,7 +47,7 @@ void check_sequence(const RenderRequest& r) {
 }
 
 std::vector<Shot> frame_shots(const RenderRequest& request) {
-    const auto range = parse_pair(request.frames, ':');
+    const auto range = parse_pair(request.frames, ':', "--frames");
     if (!range)
         throw InputError("--frames {} is not of the form FIRST:LAST, for example 0:47",
                          request.frames);

@@ -43,6 +43,33 @@ CLI::Validator range(double least, double most) {
     return CLI::Validator(refuse, fmt::format("{} to {}", least, most));
 }
 
+/// Refuses what the conversion to the field's numbers would make infinite, or name without a
+/// reason.
+template <class Number>
+CLI::Validator representable() {
+    const auto refuse = [](const std::string& text) {
+        char* end = nullptr;
+        const double number = std::strtod(text.c_str(), &end);
+        const bool is_number = end != text.c_str() && *end == '\0';
+        constexpr Number LEAST = std::numeric_limits<Number>::lowest();
+        constexpr Number MOST = std::numeric_limits<Number>::max();
+        const bool says_infinity = text.find_first_of("0123456789") == std::string::npos;
+        if (!is_number || says_infinity || (number >= double(LEAST) && number <= double(MOST)))
+            return std::string();
+        return fmt::format("{} is out of range; use {} to {}", text, LEAST, MOST);
+    };
+    return CLI::Validator(refuse, "");
+}
+
+template <class T>
+struct NumberOf {
+    using Type = T;
+};
+template <class T>
+struct NumberOf<std::optional<T>> {
+    using Type = T;
+};
+
 void apply(const OptionRules& rules, CLI::Option& option) {
     if (rules.value) option.type_name(rules.value);
     option.required(rules.required);
@@ -65,7 +92,15 @@ void Command::require_command() {
 
 void Command::option(const std::string& name, OptionField field, const std::string& help,
                      const OptionRules& rules) {
-    std::visit([&](auto* value) { apply(rules, *app_->add_option(name, *value, help)); }, field);
+    const auto declare = [&]<class Value>(Value* value) {
+        CLI::Option& option = *app_->add_option(name, *value, help);
+        using Number = typename NumberOf<Value>::Type;
+        const bool has_range = std::isfinite(rules.least) || std::isfinite(rules.most);
+        if constexpr (std::is_arithmetic_v<Number>)
+            if (!has_range) option.check(representable<Number>());
+        apply(rules, option);
+    };
+    std::visit(declare, field);
 }
 
 void Command::flag(const std::string& name, bool& field, const std::string& help) {
@@ -99,13 +134,18 @@ bool CommandLine::run(int argc, char** argv) try {
     return false;
 }
 
-std::optional<std::pair<uint32_t, uint32_t>> parse_pair(std::string_view text, char separator) {
+std::optional<std::pair<uint32_t, uint32_t>> parse_pair(std::string_view text, char separator,
+                                                        std::string_view option) {
     std::pair<uint32_t, uint32_t> pair;
     const char* end = text.data() + text.size();
     const auto first = std::from_chars(text.data(), end, pair.first);
-    if (first.ec != std::errc() || first.ptr == end || *first.ptr != separator) return {};
+    if (first.ec == std::errc::invalid_argument || first.ptr == end || *first.ptr != separator)
+        return {};
     const auto second = std::from_chars(first.ptr + 1, end, pair.second);
-    if (second.ec != std::errc() || second.ptr != end) return {};
+    if (second.ec == std::errc::invalid_argument || second.ptr != end) return {};
+    if (first.ec != std::errc() || second.ec != std::errc())
+        throw InputError("{} {} has a number that is too large; use at most {}", option, text,
+                         std::numeric_limits<uint32_t>::max());
     return pair;
 }
 

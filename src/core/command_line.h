@@ -114,7 +114,9 @@ class CommandLine {
     std::unique_ptr<CLI::App> app_;
 };
 
-/// The numbers of "640x480" or "3,4"; nothing for any other text.
-std::optional<std::pair<uint32_t, uint32_t>> parse_pair(std::string_view text, char separator);
+/// The numbers of "640x480" or "3,4", the value of `option`; nothing for any other text. Throws
+/// InputError where they are too large.
+std::optional<std::pair<uint32_t, uint32_t>> parse_pair(std::string_view text, char separator,
+                                                        std::string_view option);
 
 } // namespace onde

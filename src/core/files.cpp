@@ -11,6 +11,8 @@ std::string read_file(const fs::path& path, uint64_t limit) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) throw InputError("{}: no such file; check the path", path.string());
+    if (fs::is_directory(status))
+        throw InputError("{}: is a folder; give the name of a file in it", path.string());
     if (!fs::is_regular_file(status))
         throw InputError("{}: not a regular file; give the path of a file", path.string());
     const uint64_t size = fs::file_size(path, error);

@@ -203,12 +203,27 @@ void write_file(const fs::path& path, std::string_view bytes) {
 }
 
 void check_writable(const fs::path& path) {
+    WritableCheck().check(path);
+}
+
+void WritableCheck::check(const fs::path& path) {
     if (is_standard_output(path)) return;
     const auto status = status_of(path);
     check_file(path, status);
     if (status && !S_ISREG(status->st_mode)) return;
     const fs::path folder = folder_of(follow_links(path));
+    if (folders_.contains(folder)) return;
     if (!Unfinished(folder)) throw_unwritable(folder, path);
+    folders_.insert(folder);
+}
+
+void check_folder_writable(const fs::path& folder) {
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored))
+        throw InputError("{}: is no folder; name another for the output", folder.string());
+    if (!Unfinished(folder))
+        throw InputError("{}: this folder is not writable ({}); name another for the output",
+                         folder.string(), last_error());
 }
 
 void check_not_read(const fs::path& path, std::span<const fs::path> files) {

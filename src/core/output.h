@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,18 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// Throws InputError unless `path` could be written now: its folder exists and is writable, it is
 /// no folder and not read-only. Leaves nothing behind and touches nothing.
 void check_writable(const std::filesystem::path& path);
+
+/// The same for many paths, where each folder is tried once.
+class WritableCheck {
+  public:
+    void check(const std::filesystem::path& path);
+
+  private:
+    std::set<std::filesystem::path> folders_; ///< that are writable
+};
+
+/// Throws InputError unless files can be made in the folder.
+void check_folder_writable(const std::filesystem::path& folder);
 
 /// Throws InputError where `path` is one of these files, by whatever name or link: they are read.
 void check_not_read(const std::filesystem::path& path,

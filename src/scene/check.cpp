@@ -63,12 +63,12 @@ bool in_range(const FieldRules& rules, float x) {
 
 /// What is wrong with a member of the scene, to follow its name; or nothing.
 std::string problem(const Scene&, const FieldRules& rules, float value) {
-    return in_range(rules, value) ? "" : must_lie_in(rules.range);
+    return in_range(rules, value) ? "" : why_not_in(rules.range, value);
 }
 
 std::string problem(const Scene& scene, const FieldRules& rules, uint32_t value) {
     if (rules.form == Form::material && value >= scene.materials.size()) return "does not exist";
-    return rules.range.contains(value) ? "" : must_lie_in(rules.range);
+    return rules.range.contains(value) ? "" : why_not_in(rules.range, value);
 }
 
 std::string problem(const Scene& scene, const FieldRules&, int32_t texture) {

@@ -14,6 +14,12 @@ namespace fs = std::filesystem;
 
 Scene load_part(const fs::path& path, LoadContext& context,
                 const std::vector<fs::path>& ancestors) {
+    if (path.empty())
+        throw InputError("the name of the scene is empty; give a .gltf, .glb, .obj, .ply, .stl or "
+                         ".toml");
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored))
+        throw InputError("{}: is a folder; give the name of a scene in it", path.string());
     const std::string extension = lower_extension(path);
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path, context);
     if (extension == ".obj") return load_obj(path, context);
@@ -50,6 +56,9 @@ static void note_origin(Scene& scene) {
 LoadedScene load_uncompleted(const fs::path& path, const LoadOptions& options) {
     LoadContext context(options);
     Scene scene = load_part(path, context);
+    if (!options.animation.empty() && !context.is_animated())
+        throw InputError("{}: it has no animations, so none is '{}'; leave --animation away",
+                         path.string(), shown(options.animation));
     if (options.at && !context.is_animated())
         scene.notes.push_back("Nothing in the file is animated: it looks the same at any second.");
     if (options.environment) scene.environment = *options.environment;

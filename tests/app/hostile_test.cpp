@@ -128,7 +128,7 @@ TEST_CASE("a scene that is no good is refused by its name") {
     };
     const Case cases[] = {
         {"missing.toml", "missing.toml: no such file"},
-        {"folder.toml", "folder.toml: not a regular file"},
+        {"folder.toml", "folder.toml: is a folder"},
         {"nothing", "nothing"},
         {"scene.blend", "scene.blend"},
         {"truncated.glb", "truncated.glb"},
@@ -179,9 +179,9 @@ TEST_CASE("an option with a value that makes no sense is refused by its name") {
         {{"--size", "99999999999x5"}, "--size 99999999999x5"},
         {{"--size", "70000x5"}, "width 70000 is out of range"},
         {{"--spp", "0"}, "samples per pixel 0 is out of range"},
-        {{"--spp", "-4"}, "--spp = -4: not a value"},
+        {{"--spp", "-4"}, "--spp: -4 is out of range; use 0 to 4294967295"},
         {{"--spp", "4.5"}, "--spp = 4.5: not a value"},
-        {{"--depth", "-1"}, "--depth = -1"},
+        {{"--depth", "-1"}, "--depth: -1 is out of range"},
         {{"--depth", "0"}, "depth 0 is out of range"},
         {{"--depth", "5000"}, "depth 5000 is out of range"},
         {{"--seed", "one"}, "--seed = one"},

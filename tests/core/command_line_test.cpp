@@ -16,7 +16,8 @@ constexpr auto enum_words(Colour) {
 /// A program with one command, as the words after its name call it.
 struct Program {
     std::string file;
-    std::optional<uint32_t> count;
+    std::optional<uint32_t> count, seed;
+    float area = 1;
     std::vector<std::string> names;
     Colour colour = Colour::red;
     std::optional<Colour> edge;
@@ -32,6 +33,8 @@ struct Program {
         Command paint = root.add_command("paint", "Paint a file");
         paint.option("file", &file, "To paint", {.required = true});
         paint.option("--count", &count, "How often", {.value = "N", .least = 1, .most = 9});
+        paint.option("--seed", &seed, "Of chance");
+        paint.option("--area", &area, "Of the wall");
         paint.option("--names", &names, "Of painters", {.delimiter = ','});
         paint.choice("--colour", colour, "Of the paint");
         paint.choice("--edge", edge, "Colour of the edge");
@@ -70,6 +73,11 @@ TEST_CASE("what is wrong with a command line is said in one sentence that names 
         {{"paint", "a", "--count", "x"}, "--count = x: not a value that this option takes"},
         {{"paint", "a", "--count", "10"}, "--count: 10 is out of range; use 1 to 9"},
         {{"paint", "a", "--count", "nan"}, "--count: nan is out of range"},
+        {{"paint", "a", "--seed", "4294967296"},
+         "--seed: 4294967296 is out of range; use 0 to 4294967295"},
+        {{"paint", "a", "--seed=-1"}, "--seed: -1 is out of range"},
+        {{"paint", "a", "--area", "1e39"}, "--area: 1e39 is out of range; use -3.4028235e+38 to"},
+        {{"paint", "a", "--area", "1e999"}, "--area: 1e999 is out of range"},
         {{"paint", "a", "--colour", "green"}, "green"}};
     for (const auto& [words, part] : wrong) {
         Program program;
@@ -88,10 +96,14 @@ TEST_CASE("what is wrong with a command line is said in one sentence that names 
 
 TEST_CASE("pairs of numbers") {
     using Pair = std::pair<uint32_t, uint32_t>;
-    CHECK(parse_pair("640x480", 'x') == Pair{640, 480});
-    CHECK(parse_pair("3,4", ',') == Pair{3, 4});
-    for (const char* text : {"", "3", "3,", ",4", "3,4,5", "-3,4", "3, 4", "3x4", "4294967296,1"})
-        CHECK_FALSE(parse_pair(text, ','));
+    CHECK(parse_pair("640x480", 'x', "--size") == Pair{640, 480});
+    CHECK(parse_pair("3,4", ',', "--pixel") == Pair{3, 4});
+    for (const char* text : {"", "3", "3,", ",4", "3,4,5", "-3,4", "3, 4", "3x4", "4294967296;1"})
+        CHECK_FALSE(parse_pair(text, ',', "--pixel"));
+    for (const char* text : {"4294967296,1", "1,99999999999999999999999"})
+        CHECK_THROWS_WITH(parse_pair(text, ',', "--pixel"),
+                          Catch::StartsWith("--pixel " + std::string(text)) &&
+                              Catch::Contains("a number that is too large"));
 }
 
 } // namespace onde

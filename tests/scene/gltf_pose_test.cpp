@@ -162,6 +162,22 @@ TEST_CASE("of animations that move the same the first counts, or the one that is
         CHECK_THROWS_WITH(load("fly", at), Catch::Contains("0 'walk', 1 'run', 2 'grow'"));
 }
 
+TEST_CASE("a file without the animation that is named says what it has") {
+    Builder builder = triangle();
+    builder.floats(1, {0});
+    builder.floats(3, {1, 0, 0});
+    LoadOptions options;
+    options.animation = "x";
+    const std::string nodes = MESH + R"(, "nodes": [{"mesh": 0}])";
+    CHECK_THROWS_WITH(builder.load(nodes, options),
+                      Catch::Contains("it has no animations, so none is 'x'"));
+    CHECK_THROWS_WITH(builder.load(nodes + R"(, "animations": [{"samplers": [{"input": 1,
+                        "output": 2}], "channels": [{"sampler": 0, "target":
+                        {"node": 0, "path": "translation"}}]}])",
+                                   options),
+                      Catch::Contains("those that it has, by number: 0 without a name"));
+}
+
 TEST_CASE("instances of EXT_mesh_gpu_instancing are placed within their node") {
     Builder builder = triangle();
     builder.floats(3, {1, 0, 0, 0, 2, 0});

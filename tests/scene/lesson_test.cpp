@@ -83,7 +83,7 @@ TEST_CASE("a lesson with a mistake is refused with its place and the remedy") {
         {expecting("pixel = [0, 0]\n"), "needs color"},
         {expecting("pixel = [0, 0]\ncolor = 1\nunlike = \"b.toml\"\n"), "needs color"},
         {expecting("pixel = [0, 0]\nunlike = \"b.toml\"\n"), "pixels"},
-        {expecting("pixel = [0, 0]\ncolor = -1\n"), "not negative"},
+        {expecting("pixel = [0, 0]\ncolor = -1\n"), "be negative"},
         {expecting("pixel = [0, 0]\ncolor = 1\nwithin = -1\n"), "within"}};
     for (const auto& [toml, remedy] : cases) {
         const ScratchFolder folder;

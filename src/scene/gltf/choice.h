@@ -17,7 +17,7 @@ const std::string& name_of(const T& thing) {
     return thing.name;
 }
 
-/// "0 'walk', 1 'run'", at most eight.
+/// "0 'walk', 1 without a name", at most eight.
 template <class T>
 std::string names_of(const std::vector<T>& things) {
     constexpr size_t MOST = 8;
@@ -25,7 +25,8 @@ std::string names_of(const std::vector<T>& things) {
     for (size_t i = 0; i < std::min(things.size(), MOST); ++i) {
         if (i > 0) text += ", ";
         text += std::to_string(i);
-        if (!name_of(things[i]).empty()) text += " '" + shown(name_of(things[i]), 40) + "'";
+        const std::string& name = name_of(things[i]);
+        text += name.empty() ? " without a name" : " '" + shown(name, 40) + "'";
     }
     return things.size() > MOST ? text + ", ..." : text;
 }
@@ -41,8 +42,11 @@ size_t choose(const File& file, const std::vector<T>& things, const std::string&
     const char* const end = word.data() + word.size();
     const auto [rest, error] = std::from_chars(word.data(), end, index);
     if (error == std::errc() && rest == end && index < things.size()) return index;
-    throw InputError("{}: it has no {} '{}' for {}; there {}", file.name, kind, shown(word), option,
-                     things.empty() ? "is none" : "are " + names_of(things));
+    if (things.empty())
+        throw InputError("{}: it has no {}s, so none is '{}'; leave {} away", file.name, kind,
+                         shown(word), option);
+    throw InputError("{}: it has no {} '{}' for {}; those that it has, by number: {}", file.name,
+                     kind, shown(word), option, names_of(things));
 }
 
 } // namespace onde::gltf

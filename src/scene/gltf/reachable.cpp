@@ -6,8 +6,8 @@ namespace onde::gltf {
 
 std::vector<uint32_t> root_nodes(const File& file) {
     const Document& document = file.document;
-    if (!document.scenes.empty()) {
-        const std::string& word = file.context.options().scene;
+    const std::string& word = file.context.options().scene;
+    if (!document.scenes.empty() || !word.empty()) {
         const size_t index = word.empty() ? document.scene.value_or(0)
                                           : choose(file, document.scenes, word, "--scene", "scene");
         return at(file, document.scenes, uint32_t(index), "scene", "the default scene").nodes;

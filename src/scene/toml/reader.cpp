@@ -73,7 +73,7 @@ double TableReader::to_double(const toml::node& node, std::string_view key, Rang
     const std::optional<double> value = node.value<double>();
     if (!value || node.is_boolean()) fail(key, "must be a number");
     if (range.contains(*value)) return *value;
-    fail(key, fmt::format("{}, not {}", must_lie_in(range), *value));
+    fail(key, fmt::format("{}, not {}", why_not_in(range, *value), *value));
 }
 
 float TableReader::to_float(const toml::node& node, std::string_view key, Range range) const {

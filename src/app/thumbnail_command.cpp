@@ -34,6 +34,10 @@ struct Failure {
     std::string sentence;
 };
 
+std::string shown_name(const fs::path& file) {
+    return file.empty() ? "''" : printable(file.string());
+}
+
 /// A picture's name for each file: its stem, with a number from 2 on where another file has that
 /// already. Names that differ by case alone clash, as some file systems do not tell them apart.
 std::vector<fs::path> picture_paths(const std::vector<fs::path>& files, const fs::path& folder) {
@@ -55,11 +59,18 @@ std::vector<fs::path> picture_paths(const std::vector<fs::path>& files, const fs
     return paths;
 }
 
+/// Throws InputError unless pictures can be written to the folder, which is made where it is new.
 void open_folder(const fs::path& folder) {
+    if (folder.empty() || folder == STANDARD_OUTPUT)
+        throw InputError("-o '{}': is no folder; thumbnail writes a file for each scene, so name "
+                         "a folder for them",
+                         folder.string());
     std::error_code problem;
     fs::create_directories(folder, problem);
     if (problem)
-        throw InputError("{}: this folder can't be made: {}", folder.string(), problem.message());
+        throw InputError("{}: this folder can't be made ({}); name another with -o",
+                         folder.string(), problem.message());
+    check_folder_writable(folder);
 }
 
 /// What the pictures of a batch have in common.
@@ -101,9 +112,9 @@ bool make_picture(const Workshop& workshop, const fs::path& file, const fs::path
 std::string list_of(const std::vector<Failure>& failures, size_t files) {
     std::string list = fmt::format("{} of {} files could not be pictured:", failures.size(), files);
     for (const Failure& failure : failures) {
-        const std::string name = failure.file.string();
-        const bool named = failure.sentence.starts_with(printable(name));
-        list += "\n  " + (named ? "" : printable(name) + ": ") + failure.sentence;
+        const std::string name = shown_name(failure.file);
+        const bool named = failure.sentence.starts_with(name);
+        list += "\n  " + (named ? "" : name + ": ") + failure.sentence;
     }
     return list;
 }
@@ -145,7 +156,7 @@ void try_picture(const Workshop& workshop, const fs::path& file, const fs::path&
 void make_pictures(const Workshop& workshop, const std::vector<fs::path>& files,
                    const std::vector<fs::path>& paths, Batch& batch) {
     for (size_t i = 0; i < files.size() && !batch.interrupted; ++i) {
-        spdlog::info("{} of {}: {} to {}", i + 1, files.size(), printable(files[i].string()),
+        spdlog::info("{} of {}: {} to {}", i + 1, files.size(), shown_name(files[i]),
                      printable(paths[i].string()));
         try_picture(workshop, files[i], paths[i], batch);
     }

@@ -56,6 +56,29 @@ TEST_CASE("thumbnail refuses a size or a folder that can't be") {
     CHECK(onde::test::onde(folder, {"thumbnail", "good.obj", "--size", "0"}).code == 2);
     CHECK(onde::test::onde(folder, {"thumbnail", "good.obj", "-o", "file"}).code == 2);
     CHECK(onde::test::onde(folder, {"thumbnail"}).code == 2);
+    // Told before anything is rendered: one sentence.
+    for (const char* wrong : {"-", "", "file", "file/inner", "/proc", "/proc/self/no"}) {
+        INFO(wrong);
+        const Outcome outcome = onde::test::onde(folder, {"thumbnail", "good.obj", "-o", wrong});
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err,
+                   Catch::Contains("folder") &&
+                       Catch::StartsWith(std::string("onde: ") +
+                                         (std::string(wrong).size() < 2 ? "-o '" : "") + wrong));
+        CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    }
+    CHECK(folder.files().size() == 2);
+}
+
+TEST_CASE("thumbnail says of a folder and of an empty name what they are") {
+    const Folder folder;
+    fs::create_directories(folder / "models");
+    fs::create_directories(folder / "one.obj");
+    const Outcome outcome = onde::test::onde(folder, thumbnail({"models", "", "one.obj"}));
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.err, Catch::Contains("  models: is a folder; give the name of a scene") &&
+                                Catch::Contains("  one.obj: is a folder; give the name") &&
+                                Catch::Contains("  '': the name of the scene is empty"));
 }
 
 TEST_CASE("thumbnail compiles once for models of all kinds, and pictures them as render does") {

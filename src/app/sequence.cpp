@@ -155,6 +155,8 @@ Session& ShotSession::show(const Shot& shot) {
     if (at_ != shot.at) load(shot, shot.outputs);
     if (shot.turn == 0) return *session_;
     session_->set_camera(turned_camera(camera_, bounds_, shot.turn));
+    // The added studio stands about the camera, as about a turntable on which the model turns.
+    if (session_->scene().has_studio) session_->set_environment_rotation(float(shot.turn));
     return *session_;
 }
 

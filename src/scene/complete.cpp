@@ -56,6 +56,7 @@ static bool anything_emits(const Scene& scene) {
 
 static void add_studio(Scene& scene, const char* reason) {
     scene.environment = {.radiance = glm::vec3(1.0f), .map = studio_map(), .rotation = 0.0f};
+    scene.has_studio = true;
     scene.notes.push_back(fmt::format("{}: a neutral studio was added (--studio off).", reason));
 }
 

@@ -30,6 +30,7 @@ struct Scene {
     LIGHT_LISTS(ONDE_LIST)
 #undef ONDE_LIST
     Environment environment;
+    bool has_studio = false; ///< the environment is the studio that loading has added
     std::vector<Camera> cameras;
     RenderSettings settings;
     ChapterScene chapter;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <utility>
 
 namespace onde {
@@ -228,6 +229,13 @@ void Session::set_camera(const Camera& value) {
     check_screen(value, options_.render.width, options_.render.height);
     scene_.cameras[options_.render.camera] = value;
     if (integrator_ && !integrator_->set_camera(value)) integrator_.reset();
+}
+
+void Session::set_environment_rotation(float radians) {
+    if (!std::isfinite(radians)) throw InputError("the environment's rotation must be finite");
+    scene_.environment.rotation = radians;
+    placed_->set_environment_rotation(radians);
+    if (integrator_ && !integrator_->set_camera(camera())) integrator_.reset();
 }
 
 void Session::set_material(size_t index, const Material& value) {

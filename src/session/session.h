@@ -97,6 +97,8 @@ class Session {
     void set_options(const RenderOptions& options);
     /// Replaces the camera that is looked through.
     void set_camera(const Camera& camera);
+    /// Turns the environment's map: radians, counter-clockwise seen from above.
+    void set_environment_rotation(float radians);
     void set_material(size_t material, const Material& value);
     void set_instance_transform(size_t instance, const glm::mat4& object_to_world);
     void set_shape_transform(size_t shape, const glm::mat4& object_to_world);

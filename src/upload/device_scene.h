@@ -21,6 +21,8 @@ class DeviceScene {
                 const BvhOptions& options);
     /// Replaces what kernels are compiled for; it must cover the scene.
     void set_features(const SceneFeatures& features) { packed_.features = features; }
+    /// Turns the environment's map, radians; it is not in what is bound.
+    void set_environment_rotation(float radians) { packed_.environment_rotation = radians; }
     uint64_t bvh_bytes() const { return tree_.bytes(); }
 
     /// Binds the scene's parameters of a kernel (SCENE_PARAMETERS of kernels/shade/scene_view.h but

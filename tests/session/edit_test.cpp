@@ -35,6 +35,24 @@ TEST_CASE("another camera makes the picture of a new session, by every integrato
     }
 }
 
+TEST_CASE("another rotation of the environment makes the picture of a new session") {
+    for (const IntegratorKind integrator : {IntegratorKind::path, IntegratorKind::light}) {
+        INFO(word_of(integrator));
+        Scene scene = varied_scene();
+        scene.environment.map = Image(2, 1, 3);
+        scene.environment.radiance = glm::vec3(1.0f);
+        scene.environment.map->pixels = {3, 1, 0, 0, 1, 3};
+        Session session(programs(), scene, small_session(integrator));
+        const std::vector<float> before = rendered(session);
+        session.set_environment_rotation(1.0f);
+        const std::vector<float> after = rendered(session);
+        CHECK(after != before);
+        scene.environment.rotation = 1.0f;
+        Session fresh(programs(), scene, small_session(integrator));
+        CHECK(after == rendered(fresh));
+    }
+}
+
 TEST_CASE("another camera builds no program and packs nothing") {
     Session session(programs(), varied_scene(), small_session());
     session.render();

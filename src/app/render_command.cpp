@@ -113,6 +113,7 @@ struct Work {
     StopOnInterrupt interrupt{}; ///< what is rendered is saved, while it is written too
     Outputs outputs{};
     std::vector<Json> reports{}; ///< of the pictures, where they are asked for
+    size_t done = 0;             ///< pictures with all of their samples
     bool interrupted = false;
 };
 
@@ -128,6 +129,7 @@ void make_picture(Session& session, const Shot& shot, RenderReport report, const
 
     const Timer writing;
     write_all(shot.outputs, work.outputs, session, request, report);
+    work.done += !work.interrupted;
     report.write_seconds = writing.seconds();
     report.total_seconds = timer.seconds();
     if (request.stats) print_report(session, report, stream_for_words(request));
@@ -156,6 +158,12 @@ void make_pictures(ShotSession& sessions, const std::vector<Shot>& shots, Timer 
     }
 }
 
+/// Of a sequence that was interrupted, be it between two pictures.
+void tell_where_it_stopped(const Work& work, size_t pictures) {
+    if (work.interrupted && is_sequence(work.request))
+        spdlog::warn("interrupted with {} of {} pictures done", work.done, pictures);
+}
+
 /// The one picture's report as it is, those of a sequence in a list.
 void write_reports(bool is_sequence, Work& work) {
     if (work.reports.empty()) return;
@@ -175,6 +183,7 @@ bool run(const RenderRequest& request) {
     ShotSession sessions(machine, request, shots);
     Work work{request}; // from here on signals are caught
     make_pictures(sessions, shots, timer, work);
+    tell_where_it_stopped(work, shots.size());
     write_reports(is_sequence(request), work);
     work.outputs.check();
     return work.interrupted;

@@ -117,6 +117,25 @@ TEST_CASE("an added camera stays where it is, and sees all frames of an animatio
     CHECK(before.y < first.y - 3);
 }
 
+TEST_CASE("on a turntable the added studio keeps its place about the camera") {
+    const Folder folder;
+    folder.write("post.obj",
+                 "v 0 0 0\nv .1 0 0\nv 0 1 0\nv 0 0 .1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    const Arguments turn{"--turntable", "4",     "-o", "t.exr",    "--float", "--size",
+                         "32x24",       "--spp", "16", "--ground", "off"};
+    succeed(folder, render("post.obj", turn));
+    // What is behind the model is the same from every side.
+    const auto corner = [&](const char* name) {
+        const onde::Image image = onde::read_image(folder / name);
+        return std::vector<float>(image.pixels.begin(), image.pixels.begin() + 3);
+    };
+    const std::vector<float> first = corner("t.0001.exr");
+    for (const char* name : {"t.0002.exr", "t.0003.exr", "t.0004.exr"}) {
+        INFO(name);
+        for (size_t i = 0; i < 3; ++i) CHECK(corner(name)[i] == Approx(first[i]).epsilon(1e-4));
+    }
+}
+
 TEST_CASE("what is not animated is the same in all frames, and a note says so once") {
     const Folder folder;
     folder.write("still.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -139,6 +158,7 @@ TEST_CASE("sequences that can't be are refused in a sentence before anything is 
         {{"--frames", "3"}, "not of the form FIRST:LAST"},
         {{"--frames", "a:b"}, "not of the form FIRST:LAST"},
         {{"--frames", "0:4294967295"}, "more than 100000 frames"},
+        {{"--frames", "0:99999999999"}, "--frames 0:99999999999 has a number that is too large"},
         {{"--frames", "0:1", "--fps", "0"}, "--fps 0 is not"},
         {{"--frames", "0:1", "--fps", "nan"}, "--fps nan is not"},
         {{"--frames", "1:2", "-o", "a1#.png", "-o", "a#1.png"}, "two outputs"},
@@ -168,4 +188,33 @@ TEST_CASE("Ctrl-C saves the frame that is rendered, and what was rendered is rep
     CHECK(pictures >= 2);
     CHECK(pictures < 10000);
     CHECK(folder.files().size() == pictures + 1);
+    const bool part = count(outcome.err, "saving the picture so far") == 1;
+    const std::string done = std::to_string(pictures - part);
+    CHECK_THAT(outcome.err, Catch::Contains("with " + done + " of 10000 pictures done"));
+}
+
+TEST_CASE("SIGTERM between two pictures says how many of how many are done") {
+    const Folder folder;
+    // Grids of 250,000 triangles load for far longer than one sample of 16x12 pixels takes.
+    std::string grid;
+    for (int y = 0; y < 300; ++y)
+        for (int x = 0; x < 300; ++x)
+            grid += "v " + std::to_string(x) + " " + std::to_string(x * y % 7) + " " +
+                    std::to_string(y) + "\n";
+    for (int y = 0; y < 299; ++y)
+        for (int x = 1; x < 300; ++x) {
+            const int at = 300 * y + x;
+            grid += "f " + std::to_string(at) + " " + std::to_string(at + 300) + " " +
+                    std::to_string(at + 301) + " " + std::to_string(at + 1) + "\n";
+        }
+    folder.write("grid.obj", grid);
+    Process process(folder, render("grid.obj", {"--frames", "0:9999", "-o", "f.png", "--quiet"}));
+    REQUIRE(process.wait_until_interrupt_is_caught(true));
+    while (!fs::exists(folder / "f.0000.png")) std::this_thread::yield();
+    process.send(SIGTERM);
+    const Outcome outcome = process.wait();
+    CHECK(outcome.code == 143);
+    const size_t pictures = folder.files().size() - 1;
+    CHECK_THAT(outcome.err, Catch::Contains("onde: interrupted with " + std::to_string(pictures) +
+                                            " of 10000 pictures done"));
 }

@@ -89,13 +89,13 @@ TEST_CASE("inspect tells of a surface what its lobes have, and nothing of others
         const size_t found = words.find("light found"), line = words.find("\n    ", found) + 5;
         return words.substr(line, words.find('\n', line) - line);
     };
-    CHECK(lobes_of("type = 'diffuse'\nbase_color = 0.5") == "diffuse (0.5, 0.5, 0.5)");
-    CHECK(lobes_of("type = 'conductor'\nbase_color = 0.5\nroughness = 0.5") ==
+    CHECK(lobes_of("kind = 'diffuse'\nbase_color = 0.5") == "diffuse (0.5, 0.5, 0.5)");
+    CHECK(lobes_of("kind = 'conductor'\nbase_color = 0.5\nroughness = 0.5") ==
           "f0 (0.5, 0.5, 0.5), alpha 0.25");
-    CHECK(lobes_of("type = 'dielectric'\nior = 1.5\nroughness = 0.5") ==
+    CHECK(lobes_of("kind = 'dielectric'\nior = 1.5\nroughness = 0.5") ==
           "dielectric, eta 1.5, alpha 0.25");
-    CHECK(lobes_of("type = 'unlit'\nbase_color = 0.5") == "scatters no light");
-    CHECK_THAT(lobes_of("type = 'metallic-roughness'\nbase_color = 0.5\nroughness = 0.5"),
+    CHECK(lobes_of("kind = 'unlit'\nbase_color = 0.5") == "scatters no light");
+    CHECK_THAT(lobes_of("kind = 'metallic-roughness'\nbase_color = 0.5\nroughness = 0.5"),
                Catch::StartsWith("diffuse (0.5, 0.5, 0.5), f0 (0.04, 0.04, 0.04), alpha 0.25, "));
 }
 

@@ -59,7 +59,7 @@ INLINE mask may_pass(SceneView view, Hits hits, real3 seen, mask culls, mask lan
 
 // The opacity of what the rays of `lanes` have hit. `seen` is the direction of sight, in which the
 // backs of triangles are culled for the lanes in `culls`.
-INLINE real hit_opacity(SceneView view, Hits hits, real3 seen, mask culls, mask lanes) {
+OUTLINED real hit_opacity(SceneView view, Hits hits, real3 seen, mask culls, mask lanes) {
     const natural record = choose(lanes, hits.primitive, (natural)(0u));
     const natural tag = SURFACE_NATURAL(view, record, any.tag);
     const natural material = SURFACE_MATERIAL(tag);

@@ -25,7 +25,8 @@ INLINE real3 aov_normal(SceneView view, Vertex v, real3 direction) {
 
 // Distance along the camera's view axis.
 INLINE real3 aov_depth(SceneView view, Vertex v, real3 direction) {
-    return splat3(v.t * dot3(direction, uniform3(view.frame->forward)));
+    const real setback = (real)(view.frame->setback);
+    return splat3(fma(v.t, dot3(direction, uniform3(view.frame->forward)), setback));
 }
 
 // All that the program has, of the lanes that have found a surface.

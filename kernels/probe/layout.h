@@ -92,7 +92,7 @@
     OFFSET(FrameRecord, lens_v)                                                                    \
     OFFSET(FrameRecord, pad2)                                                                      \
     OFFSET(FrameRecord, forward)                                                                   \
-    OFFSET(FrameRecord, pad3)                                                                      \
+    OFFSET(FrameRecord, setback)                                                                   \
     OFFSET(FrameRecord, width)                                                                     \
     OFFSET(FrameRecord, height)                                                                    \
     OFFSET(FrameRecord, seed)                                                                      \

@@ -22,7 +22,7 @@ typedef struct {
     float lens_v[3]; // unit up
     float pad2;
     float forward[3]; // unit
-    float pad3;
+    float setback;    // of the camera behind the screen that parallel rays leave
 
     uint width, height; // of the film
     uint seed;

@@ -45,12 +45,39 @@ static Window view_window(const Camera& camera, glm::vec2 pixels) {
     return {step, distance, -0.5f * step * pixels};
 }
 
-static void set_camera(FrameRecord& frame, const Camera& camera, uint32_t width, uint32_t height) {
-    const glm::vec3 origin(camera.camera_to_world[3]);
+/// How far the screen of parallel rays may move ahead with nothing of the scene behind it, nor any
+/// of it below the ground. Rays that begin at more than `FAR` times the screen's height have no
+/// digits left for its pixels; nearer ones keep their bits.
+static double free_way(const PackedScene& scene, const Camera& camera, double width,
+                       double height) {
+    constexpr double FAR = 256.0;
+    const glm::dmat4 m(camera.camera_to_world);
+    const glm::dvec3 origin(m[3]), forward = -glm::dvec3(m[2]);
+    if (!scene.bounds || scene.bounds->empty()) return 0.0;
+    const auto& [low, high] = *scene.bounds;
+    const glm::dvec3 nearest(forward.x > 0 ? low.x : high.x, forward.y > 0 ? low.y : high.y,
+                             forward.z > 0 ? low.z : high.z);
+    double way = glm::dot(nearest - origin, forward) - 0.01 * glm::length(high - low);
+    if (scene.features.ground && forward.y < 0) {
+        const double reach = 0.5 * (width * std::abs(m[0].y) + height * std::abs(m[1].y));
+        way = std::min(way, (origin.y - scene.ground_height - reach) / -forward.y);
+    }
+    return way > FAR * height && std::isfinite(way) ? way : 0.0;
+}
+
+static void set_camera(FrameRecord& frame, const PackedScene& scene, const Camera& camera,
+                       uint32_t width, uint32_t height) {
     const glm::vec3 right(camera.camera_to_world[0]), up(camera.camera_to_world[1]);
     const glm::vec3 forward = -glm::vec3(camera.camera_to_world[2]);
     const Window window = view_window(camera, glm::vec2(float(width), float(height)));
     frame.orthographic = camera.orthographic_height.has_value();
+    glm::vec3 origin(camera.camera_to_world[3]);
+    if (frame.orthographic) {
+        const double way =
+            free_way(scene, camera, double(window.step) * width, double(window.step) * height);
+        if (way > 0.0) origin = glm::vec3(glm::dvec3(origin) + way * glm::dvec3(forward));
+        frame.setback = float(way);
+    }
     const float distance = frame.orthographic ? 0.0f : window.distance;
     copy(frame.origin, origin);
     copy(frame.corner, origin + forward * distance + right * window.corner.x +
@@ -76,7 +103,7 @@ void check_screen(const Camera& camera, uint32_t width, uint32_t height) {
 FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
                        const RenderOptions& options) {
     FrameRecord frame{};
-    set_camera(frame, camera, options.width, options.height);
+    set_camera(frame, scene, camera, options.width, options.height);
     frame.width = options.width;
     frame.height = options.height;
     frame.seed = options.seed;

@@ -228,6 +228,7 @@ void Session::set_camera(const Camera& value) {
     check_camera(value, options_.render.camera);
     check_screen(value, options_.render.width, options_.render.height);
     scene_.cameras[options_.render.camera] = value;
+    if (value.orthographic_height && !placed_->packed().bounds) placed_->set_bounds(scene_);
     if (integrator_ && !integrator_->set_camera(value)) integrator_.reset();
 }
 

@@ -21,6 +21,8 @@ class DeviceScene {
                 const BvhOptions& options);
     /// Replaces what kernels are compiled for; it must cover the scene.
     void set_features(const SceneFeatures& features) { packed_.features = features; }
+    /// Where a camera of the scene has become orthographic; it is not in what is bound.
+    void set_bounds(const Scene& scene) { packed_.bounds = bounds_for_parallel_rays(scene); }
     /// Turns the environment's map, radians; it is not in what is bound.
     void set_environment_rotation(float radians) { packed_.environment_rotation = radians; }
     uint64_t bvh_bytes() const { return tree_.bytes(); }

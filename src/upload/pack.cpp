@@ -72,7 +72,14 @@ static void build_tree(PackedScene& packed, const FlatGeometry& flat, const BvhO
     compact_bvh(packed.bvh, options.layout);
 }
 
+std::optional<Extent> bounds_for_parallel_rays(const Scene& scene) {
+    const auto is_parallel = [](const Camera& c) { return c.orthographic_height.has_value(); };
+    if (std::ranges::none_of(scene.cameras, is_parallel)) return std::nullopt;
+    return extent_of(scene).all;
+}
+
 static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry flat) {
+    packed.bounds = bounds_for_parallel_rays(scene);
     LightList lights = build_lights(scene, flat);
     packed.lights = std::move(lights.records);
     packed.environment_light = lights.environment;

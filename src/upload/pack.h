@@ -3,6 +3,7 @@
 
 #include "accel/bvh.h"
 #include "gpu/buffer_list.h"
+#include "scene/origin.h"
 #include "scene/scene.h"
 #include "shared/frame.h"
 #include "upload/appearance.h"
@@ -10,6 +11,7 @@
 #include "upload/lights.h"
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,7 @@ struct PackedScene : SceneArrays {
     uint32_t environment_light = NO_INDEX; ///< index into the lights
     glm::vec3 environment_radiance{0.0f};  ///< scale of the map, where there is one
     float environment_rotation = 0.0f;     ///< radians
+    std::optional<Extent> bounds{};        ///< of the geometry, where a camera has parallel rays
     glm::vec3 ground_share{0.0f};          ///< one over the irradiance that the ground receives
     float ground_height = std::numeric_limits<float>::infinity(); ///< no ground: above all rays
     uint32_t environment_width = 0, environment_height = 0;       ///< 0 when it is constant
@@ -41,6 +44,9 @@ struct PackedScene : SceneArrays {
 
 /// The scene must satisfy check_scene().
 PackedScene pack_scene(const Scene& scene, const BvhOptions& options = {});
+
+/// The box of a scene with an orthographic camera; nothing for any other.
+std::optional<Extent> bounds_for_parallel_rays(const Scene& scene);
 
 /// What of a scene has changed since it was packed; each includes those before it.
 enum class SceneChange {

@@ -188,6 +188,29 @@ TEST_CASE("parallel rays from afar show the contact shadows that near ones do") 
     CHECK(difference(near, picture_of(loaded("camfar-ortho-1e4.toml"))) < 0.02);
 }
 
+TEST_CASE("parallel rays from very far show what near ones do, and how far away it is") {
+    const Scene scene = loaded("camfar-ortho-10.toml");
+    RenderOptions options = small_options(64, 64, 16);
+    options.aovs = 1u << AOV_DEPTH;
+    const auto rendered = [&](double away) {
+        Scene moved = scene;
+        glm::mat4& m = moved.cameras[0].camera_to_world;
+        m[3] += float(away) * m[2];
+        Session session(programs(), moved, {.render = options, .choose_layout = false});
+        session.render();
+        return std::pair(session.picture(), session.film().develop(*find_channel("depth")));
+    };
+    const auto [near, near_depth] = rendered(0);
+    for (const double away : {1e5, 1e7}) {
+        const auto [far, far_depth] = rendered(away);
+        INFO(away);
+        // What floats round of the camera's place moves the picture by a part of 1e-7 of the way.
+        if (away < 1e6) CHECK(difference(near, far) < 0.02);
+        const size_t middle = 32 * 64 + 32;
+        CHECK(far_depth.pixels[middle] - near_depth.pixels[middle] == Approx(away).epsilon(1e-5));
+    }
+}
+
 TEST_CASE("no ray meets the surface that it has just left") {
     const glm::vec3 at(700, -90, 320);
     SECTION("triangles in the world") {

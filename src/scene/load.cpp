@@ -53,6 +53,19 @@ static void note_origin(Scene& scene) {
         -o.x + 0.0, -o.y + 0.0, -o.z + 0.0));
 }
 
+/// Says so where the scene is too large for its details.
+static void note_torn(Scene& scene) {
+    constexpr double LEAST = 0.01; // of the details: a needle or two are in many files
+    const Detail torn = torn_detail(details_of(scene));
+    if (!(torn.weight > LEAST)) return;
+    const glm::dvec3 at = torn.middle + scene.origin;
+    scene.notes.push_back(fmt::format(
+        "The scene is too large for the digits of floats: what lies near ({:.6g}, {:.6g}, {:.6g}) "
+        "is {:.3g} units from the rest and {:.3g} in size, and loses its shape; {:.2g} % of the "
+        "scene do. Bring them nearer to each other, or leave one out.",
+        at.x, at.y, at.z, glm::length(torn.middle), 2.0 * torn.size, 100.0 * torn.weight));
+}
+
 LoadedScene load_uncompleted(const fs::path& path, const LoadOptions& options) {
     LoadContext context(options);
     Scene scene = load_part(path, context);
@@ -61,7 +74,12 @@ LoadedScene load_uncompleted(const fs::path& path, const LoadOptions& options) {
                          path.string(), shown(options.animation));
     if (options.at && !context.is_animated())
         scene.notes.push_back("Nothing in the file is animated: it looks the same at any second.");
-    if (options.environment) scene.environment = *options.environment;
+    if (options.environment) {
+        scene.environment = *options.environment;
+        if (const auto& map = scene.environment.map)
+            context.spend(uint64_t(map->width) * map->height, ENVIRONMENT_PIXEL_BYTES,
+                          "the environment's map");
+    }
     bound_environment(scene);
     scene.files = context.files();
     scene.files.push_back(path);
@@ -69,6 +87,7 @@ LoadedScene load_uncompleted(const fs::path& path, const LoadOptions& options) {
         check_scene(scene);
         if (options.stage) count_from(options.stage->origin, scene);
         note_origin(scene);
+        note_torn(scene);
         return bring_to_scale(scene, options.stage ? std::optional(options.stage->exponent)
                                                    : std::nullopt);
     });

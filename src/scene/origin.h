@@ -40,16 +40,47 @@ inline constexpr double FAR_GROUND = 4.0, FAR_DETAIL = 1024.0;
 /// subtracted.
 glm::dvec3 origin_of(const Extent& box, double far = FAR_SCENE);
 
-/// The box of a scene, and half the diagonal of the smallest thing in it.
+/// Something of a scene that is to keep its shape: a triangle, a shape, what a camera looks at.
+struct Detail {
+    glm::dvec3 middle;
+    double size;         ///< half its diagonal
+    double weight = 1.0; ///< the triangles that it stands for
+};
+
+/// How many times its size a detail may lie from where positions are counted: a float there is
+/// off by a 128th of it.
+inline constexpr double FAR_FOR_SIZE = 131072.0;
+
+/// The box of a scene, half the diagonal of the smallest thing in it, and some of its details.
 struct SceneExtent {
     Extent all;
     double smallest = std::numeric_limits<double>::infinity();
+    std::vector<Detail> details{};
 
     void add(const Extent& thing);
 };
 
+/// Of its cameras too: what they look at weighs as much as all that there is.
 SceneExtent extent_of(const Scene& scene);
+SceneExtent extent_of_scene(std::span<const glm::dvec3> positions,
+                            std::span<const glm::uvec3> triangles);
+
+/// As origin_of() of the box; but where most details would lose their shape there, as those of a
+/// scene that one stray thing ties to 0, the point near a detail that keeps the most.
 glm::dvec3 origin_of(const SceneExtent& scene);
+
+/// Some of a mesh's triangles, `most` at the most, evenly spread among them.
+std::vector<Detail> details_of(std::span<const glm::dvec3> positions,
+                               std::span<const glm::uvec3> triangles, size_t most);
+std::vector<Detail> details_of(const Mesh& mesh, size_t most);
+std::vector<Detail> details_of(const Scene& scene);
+/// Of a mesh that is placed as one of `instances`.
+size_t most_details(size_t instances);
+Detail transformed(const Detail& detail, const glm::dmat4& transform);
+
+/// What lies so far from where positions are counted that floats have no digits for its shape, and
+/// the share of all details that it stands for; weight 0 where nothing does.
+Detail torn_detail(std::span<const Detail> details);
 
 /// Counts all of a scene from another origin than its own.
 void count_from(const glm::dvec3& origin, Scene& scene);

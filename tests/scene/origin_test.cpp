@@ -263,3 +263,40 @@ triangles = [[0, 1, 2]]
             CHECK(glm::length(points_of(a).at(i) - points_of(b).at(i)) < 1e-6);
     }
 }
+
+namespace {
+
+bool says_torn(const Scene& scene) {
+    return std::ranges::any_of(scene.notes, [](const std::string& note) {
+        return note.find("loses its shape") != std::string::npos;
+    });
+}
+
+} // namespace
+
+TEST_CASE("what is stray or huge does not keep a far model's digits from it") {
+    const auto model = [](const std::string& more) {
+        return loaded("a.toml",
+                      "[[camera]]\nposition = [POINT(4, 2, 4)]\nlook_at = [POINT(0, 0, 0)]\n" +
+                          more + "[[shape]]\ntype = \"box\"\nposition = [POINT(0, 0, 0)]\n",
+                      FAR, ", ");
+    };
+    for (const char* more :
+         {"[[shape]]\ntype = \"sphere\"\n", "[[shape]]\ntype = \"plane\"\nsize = 1e8\n",
+          "[[shape]]\ntype = \"sphere\"\nradius = 2e8\n",
+          "[[shape]]\ntype = \"sphere\"\n[[shape]]\ntype = \"plane\"\nsize = 1e8\n"}) {
+        INFO(more);
+        const Scene scene = model(more);
+        CHECK(glm::distance(scene.origin, FAR) < 10.0);
+        CHECK(says_torn(scene) == (std::string(more).find("\"sphere\"\n[[") != std::string::npos ||
+                                   std::string(more).ends_with("\"sphere\"\n")));
+    }
+    CHECK_FALSE(says_torn(loaded("a.obj", OBJ, FAR)));
+    CHECK_FALSE(says_torn(loaded("a.obj", OBJ, glm::dvec3(0))));
+}
+
+TEST_CASE("a few stray triangles do not keep a mesh in map coordinates from its digits") {
+    const Scene scene = loaded("a.obj", OBJ + "v 8 7 7\nv 7 8 7\nf 6 7 8\n", FAR);
+    CHECK(glm::distance(scene.origin, FAR) < 10.0);
+    CHECK(says_torn(scene));
+}

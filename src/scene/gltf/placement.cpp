@@ -31,6 +31,15 @@ std::vector<Extent> boxes_of(const Scene& scene, const std::vector<glm::dvec3>& 
     return boxes;
 }
 
+/// Some of the triangles of one of `meshes` that are placed.
+void add_details(const Mesh& mesh, const glm::dvec3& origin, const glm::dmat4& to_world,
+                 size_t meshes, SceneExtent& extent) {
+    for (Detail detail : details_of(mesh, most_details(meshes))) {
+        detail.middle += origin;
+        extent.details.push_back(transformed(detail, to_world));
+    }
+}
+
 /// Counts the positions of meshes that are far out by themselves, but not in the scene, from a
 /// point near them: what places them would cancel most of their digits.
 void centre_meshes(const std::vector<Placement>& placements, const std::vector<Extent>& boxes,
@@ -112,8 +121,11 @@ void place(File& file, const Placements& placements, std::vector<glm::dvec3> mes
            Scene& scene) {
     const std::vector<Extent> boxes = boxes_of(scene, mesh_origins);
     SceneExtent extent;
-    for (const Placement& placement : placements.meshes)
+    for (const Placement& placement : placements.meshes) {
         extent.add(transformed(boxes[placement.index], placement.to_world));
+        add_details(scene.meshes[placement.index], mesh_origins[placement.index],
+                    placement.to_world, placements.meshes.size(), extent);
+    }
     scene.origin = origin_of(extent);
     centre_meshes(placements.meshes, boxes, mesh_origins, scene);
     for (const Placement& placement : placements.meshes)

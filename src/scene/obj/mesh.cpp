@@ -6,6 +6,7 @@
 #include "scene/vertex_color.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace onde::obj {
@@ -80,7 +81,9 @@ class PartBuilder {
 };
 
 glm::dvec3 origin_of_faces(const File& file) {
-    Extent extent;
+    constexpr size_t MOST_DETAILS = 4096;
+    const size_t step = file.faces.size() / MOST_DETAILS + 1;
+    SceneExtent extent;
     const auto position = [&](const Corner& corner) {
         return file.positions[size_t(corner.position)];
     };
@@ -90,8 +93,16 @@ glm::dvec3 origin_of_faces(const File& file) {
         const glm::dvec3 first = position(corners[0]);
         const bool is_point = std::ranges::all_of(
             corners, [&](const Corner& corner) { return position(corner) == first; });
-        for (const Corner& corner : corners)
-            if (!is_point) extent.grow(position(corner));
+        if (is_point) continue;
+        Extent box;
+        for (const Corner& corner : corners) {
+            extent.all.grow(position(corner));
+            box.grow(position(corner));
+        }
+        const Detail detail{0.5 * (box.low + box.high), 0.5 * glm::length(box.high - box.low),
+                            double(step)};
+        if (i % step == 0 && detail.size > 0.0 && std::isfinite(detail.size))
+            extent.details.push_back(detail);
     }
     return origin_of(extent);
 }

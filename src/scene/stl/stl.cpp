@@ -54,7 +54,7 @@ class FacetMesh {
                              name);
         if (part_.triangles.empty())
             throw InputError("{}: it holds no triangles; export it again", name);
-        part_.origin = origin_of(extent_of(positions_, part_.triangles));
+        part_.origin = origin_of(extent_of_scene(positions_, part_.triangles));
         part_.positions = counted_from(part_.origin, positions_);
         std::vector<MeshPart> parts;
         parts.push_back(std::move(part_));

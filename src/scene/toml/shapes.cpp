@@ -46,7 +46,7 @@ void TomlScene::add_baked(const TableReader& table, Mesh mesh, const glm::mat4& 
 }
 
 void TomlScene::add_sphere(const TableReader& table, uint32_t material) {
-    Sphere sphere{.material = material};
+    Sphere sphere{.center = glm::vec3(glm::dvec3(0.0) - table.origin()), .material = material};
     read_fields(table, sphere);
     scene_.spheres.push_back(sphere);
 }

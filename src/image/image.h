@@ -35,6 +35,7 @@ struct ByteImage {
     uint32_t height = 0;
     std::vector<uint8_t> rgba;
     std::vector<uint8_t> low{};
+    bool from_floats = false; ///< which are linear, colours too
 
     /// A sample of 16 bits.
     uint32_t wide(size_t at) const { return rgba[at] * 256u + (low.empty() ? rgba[at] : low[at]); }

@@ -98,6 +98,7 @@ template <class T>
 ByteImage rgba_image(const StoredImage& stored, const std::vector<T>& samples) {
     const std::array<int, 4> map = rgba_of(stored.channels);
     ByteImage image{stored.width, stored.height, {}};
+    image.from_floats = std::is_same_v<T, float>;
     image.rgba.reserve(samples.size() / stored.channels * 4);
     const bool wide = std::ranges::any_of(samples, [](T s) { return as_16_bits(s) % 257 != 0; });
     if (wide) image.low.reserve(image.rgba.capacity());

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/shown.h"
+#include "image/tone.h"
 
 #include <algorithm>
 #include <charconv>
@@ -58,32 +59,58 @@ TextureUse use_of(const Texture& t) {
     return {t.srgb, t.wrap_u, t.wrap_v, t.filter, t.uv_set, t.transform};
 }
 
+/// Colours of textures are kept as sRGB.
+static void encode_colors(ByteImage& image) {
+    if (image.low.empty()) image.low = image.rgba;
+    for (size_t i = 0; i < image.rgba.size(); ++i) {
+        if (i % 4 == 3) continue; // alpha is linear
+        const float value = srgb_from_linear(float(image.wide(i)) / 65535.0f);
+        const auto encoded = uint32_t(value * 65535.0f + 0.5f);
+        image.rgba[i] = uint8_t(encoded >> 8);
+        image.low[i] = uint8_t(encoded);
+    }
+}
+
+bool can_share(const Texture& texture, const ByteImage& image, const TextureUse& use) {
+    return !image.from_floats || texture.srgb == use.srgb;
+}
+
 int32_t add_texture(std::vector<Texture>& textures, std::string name, ByteImage image,
                     const TextureUse& use, int32_t same_image_as) {
+    if (use.srgb && image.from_floats) encode_colors(image);
     textures.push_back({std::move(name), std::move(image), use.srgb, use.wrap_u, use.wrap_v,
                         use.filter, use.uv_set, use.transform, same_image_as});
     return int32_t(textures.size() - 1);
 }
 
+fs::path check_texture_file(LoadContext& context, const fs::path& folder,
+                            const std::string& reference, const std::string& where) {
+    const fs::path path = context.resolve(folder, reference, where);
+    if (!fs::exists(path))
+        throw InputError("{}: the image '{}' does not exist; check the name", where,
+                         shown(reference));
+    return path;
+}
+
 int32_t add_texture_file(Scene& scene, LoadContext& context, const fs::path& folder,
                          const std::string& reference, const TextureUse& use,
                          const std::string& where) {
-    const fs::path path = context.resolve(folder, reference, where);
+    const fs::path path = check_texture_file(context, folder, reference, where);
     std::vector<Texture>& textures = scene.textures;
     const auto same = [&](const Texture& texture) {
         return texture.name == path.string() && use_of(texture) == use;
     };
     const auto found = std::ranges::find_if(textures, same);
     if (found != textures.end()) return int32_t(found - textures.begin());
-    const auto known = std::ranges::find(textures, path.string(), &Texture::name);
+    const auto known = std::ranges::find_if(textures, [&](const Texture& texture) {
+        return texture.name == path.string() &&
+               can_share(texture, image_of(textures, texture), use);
+    });
     if (known != textures.end()) {
         const bool shares = known->same_image_as != NO_TEXTURE;
         const int32_t owner = shares ? known->same_image_as : int32_t(known - textures.begin());
         return add_texture(textures, path.string(), {}, use, owner);
     }
-    if (!fs::exists(path))
-        throw InputError("{}: the image '{}' does not exist; check the name", where,
-                         shown(reference));
     const std::string bytes = read_file_within(context, path);
     ByteImage image = decode_within(
         context, {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, path.string());

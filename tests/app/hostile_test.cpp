@@ -344,5 +344,11 @@ TEST_CASE("--load-limit bounds what a file may take, in every command that loads
         CHECK(folder.files().size() == 1);
     }
     CHECK(onde::test::onde(folder, {"info", "a.obj", "--load-limit", "0.1"}).code == 0);
+    folder.write("sky.pfm", "PF\n400 200\n-1\n" + std::string(400 * 200 * 12, '\0'));
+    const Outcome sky = onde::test::onde(
+        folder,
+        render(CORNELL, {"--environment", "sky.pfm", "-o", "a.png", "--load-limit", "0.004"}));
+    CHECK(sky.code == 2);
+    CHECK_THAT(sky.err, Catch::Contains("sky.pfm: ") && Catch::Contains("--load-limit"));
     CHECK(onde::test::onde(folder, {"info", "a.obj", "--load-limit", "0"}).code == 2);
 }

@@ -90,3 +90,39 @@ TEST_CASE("an image is counted by its header, before it is decoded") {
                Catch::Contains("big.bmp") && Catch::Contains("--load-limit"));
     CHECK(error_with({}, obj).empty()); // there it is only damaged, which costs the texture
 }
+
+TEST_CASE("textures of TOML materials that nothing in the scene has are not read") {
+    ScratchFolder folder;
+    folder.write("no.png", "no picture");
+    const std::string materials = "[[material]]\nname = \"a\"\nbase_color_texture = \"no.png\"\n"
+                                  "[[material]]\nname = \"b\"\n[[shape]]\ntype = \"sphere\"\n";
+    CHECK(error_with({}, folder.write("b.toml", materials + "material = \"b\"\n")).empty());
+    CHECK_THAT(error_with({}, folder.write("a.toml", materials + "material = \"a\"\n")),
+               Catch::Contains("no.png"));
+    const auto wrong = folder.write("c.toml", "[[material]]\nname = \"a\"\nbase_color_texture = 1\n"
+                                              "[[shape]]\ntype = \"sphere\"\n");
+    CHECK_THAT(error_with({}, wrong), Catch::Contains("base_color_texture must be a text"));
+}
+
+TEST_CASE("floats of a texture are linear, as colours and as data") {
+    ScratchFolder folder;
+    folder.write("half.pfm", "PF\n1 1\n-1\n" + test::bytes_of({0.5f, 0.5f, 0.5f}));
+    const Scene scene = load_scene(folder.write("a.toml", R"(
+[[material]]
+name = "m"
+kind = "metallic-roughness"
+base_color_texture = "half.pfm"
+metallic_roughness_texture = "half.pfm"
+emission_texture = "half.pfm"
+[[shape]]
+type = "sphere"
+material = "m"
+)"));
+    const Material& m = scene.materials[0];
+    const auto value = [&](int32_t texture) {
+        return image_of(scene.textures, scene.textures[size_t(texture)]).wide(0);
+    };
+    CHECK(value(m.base_color_texture) == 48192); // 0.73536 of 65535: sRGB of 0.5
+    CHECK(m.emission_texture == m.base_color_texture);
+    CHECK(value(m.metallic_roughness_texture) == 32768);
+}

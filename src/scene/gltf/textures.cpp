@@ -124,8 +124,11 @@ int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_v
     for (const int32_t known : loaded)
         if (use_of(scene_.textures[size_t(known)]) == use) return known;
     const ImageSource& image = at(file_, file_.document.images, *texture.image, "image", user);
-    if (!loaded.empty()) {
-        loaded.push_back(add_texture(scene_.textures, label_of(image), {}, use, loaded.front()));
+    for (const int32_t known : loaded) {
+        const Texture& other = scene_.textures[size_t(known)];
+        if (!can_share(other, image_of(scene_.textures, other), use)) continue;
+        const int32_t owner = other.same_image_as == NO_TEXTURE ? known : other.same_image_as;
+        loaded.push_back(add_texture(scene_.textures, label_of(image), {}, use, owner));
         return loaded.back();
     }
     if (missing_.contains(first)) return NO_TEXTURE;

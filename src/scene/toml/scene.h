@@ -35,7 +35,10 @@ class TomlScene {
     void read_places(const TableReader& root);
     void forget_places();
     void read_camera(const TableReader& table);
+    /// All of it but its textures.
     void read_material(const TableReader& table);
+    /// Those of the materials that something in the scene has.
+    void read_textures(const TableReader& root);
     void read_environment(const TableReader& root);
     void read_shape(const TableReader& table);
     void read_light(const TableReader& table);
@@ -54,6 +57,8 @@ class TomlScene {
     void add_mesh(const TableReader& table);
     void add_inline_mesh(const TableReader& table, uint32_t material);
 
+    /// That the key names a file that there is.
+    void check_texture(const TableReader& table, std::string_view key);
     int32_t texture(const TableReader& table, std::string_view key, bool srgb);
     uint32_t material_named_in(const TableReader& table);
     uint32_t default_material();

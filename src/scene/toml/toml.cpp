@@ -62,6 +62,7 @@ Scene TomlScene::read(const TableReader& root) {
         forget_places();
         read_places(root.about(scene_.origin));
     }
+    read_textures(root);
     return std::move(scene_);
 }
 
@@ -139,6 +140,40 @@ void TomlScene::read_camera(const TableReader& table) {
     scene_.cameras.push_back(camera);
 }
 
+/// By material, whether something in the scene has it.
+static std::vector<bool> shown_materials(const Scene& scene) {
+    std::vector<bool> shown(scene.materials.size(), false);
+    std::vector<bool> placed(scene.meshes.size(), false);
+    for (const Instance& instance : scene.instances) placed[instance.mesh] = true;
+    for (size_t i = 0; i < placed.size(); ++i)
+        for (size_t t = 0; placed[i] && t < scene.meshes[i].materials.size(); ++t)
+            shown[scene.meshes[i].materials[t]] = true;
+    for (const Sphere& sphere : scene.spheres) shown[sphere.material] = true;
+    for (const Shape& shape : scene.shapes) shown[shape.material] = true;
+    for (const AreaLight& light : scene.chapter.area_lights) shown[light.material] = true;
+    return shown;
+}
+
+void TomlScene::read_textures(const TableReader& root) {
+    const std::vector<bool> shown = shown_materials(scene_);
+    size_t i = 0;
+    for (const TableReader& table : root.tables("material")) {
+        if (shown[i])
+            read_fields(table, scene_.materials[i],
+                        [&](std::string_view key, bool srgb) { return texture(table, key, srgb); });
+        ++i;
+    }
+}
+
+void TomlScene::check_texture(const TableReader& table, std::string_view key) {
+    const bool is_table = table.is_table(key);
+    const TableReader of_file = is_table ? table.tables(key).front() : table;
+    const std::string name = is_table ? read_only<toml_keys::TextureFile>(of_file).file
+                                      : table.require(key, table.text(key));
+    const std::string where = is_table ? of_file.where("file") : table.where(key);
+    check_texture_file(context_, folder_, name, where);
+}
+
 int32_t TomlScene::texture(const TableReader& table, std::string_view key, bool srgb) {
     const Wrap wrap = table.choice<Wrap>("wrap").value_or(Wrap::repeat);
     if (!table.is_table(key)) {
@@ -172,8 +207,10 @@ void TomlScene::read_material(const TableReader& table) {
     Material m;
     const MaterialKind kind = table.choice<MaterialKind>("kind").value_or(m.kind);
     if (kind == MaterialKind::conductor || kind == MaterialKind::dielectric) m.roughness = 0.0f;
-    read_fields(table, m,
-                [&](std::string_view key, bool srgb) { return texture(table, key, srgb); });
+    read_fields(table, m, [&](std::string_view key, bool) {
+        check_texture(table, key);
+        return NO_TEXTURE;
+    });
     const uint32_t index = uint32_t(scene_.materials.size());
     if (const auto phong = read_phong(table, m)) scene_.chapter.phong[index] = *phong;
     if (!material_of_name_.try_emplace(m.name, index).second)

@@ -304,6 +304,7 @@
     OFFSET(BounceReport, light_distance)                                                           \
     OFFSET(BounceReport, light_radiance)                                                           \
     OFFSET(BounceReport, blocked)                                                                  \
+    OFFSET(BounceReport, lobes)                                                                    \
     OFFSET(BounceReport, probability)                                                              \
     OFFSET(BounceReport, diffuse)                                                                  \
     OFFSET(BounceReport, f0)                                                                       \

@@ -39,7 +39,7 @@ class FilmRig {
     void add(const std::vector<float>& samples) {
         std::vector<cl_float4> radiance;
         for (uint32_t pixel = 0; pixel < width_; pixel++)
-            for (const float value : samples) radiance.push_back({{value, -value, 0, 0}});
+            for (const float value : samples) radiance.push_back({{value, 2 * value, -value, 0}});
         place(radiance);
         add_placed(uint32_t(samples.size()));
     }
@@ -125,7 +125,8 @@ TEST_CASE("the film is the sum over blocks of 64 that are joined as aligned pair
         INFO(count << " samples");
         for (size_t pixel = 0; pixel < 3; pixel++) {
             CHECK(image.pixels[3 * pixel] == mean);
-            CHECK(image.pixels[3 * pixel + 1] == -mean);
+            CHECK(image.pixels[3 * pixel + 1] == 2 * mean);
+            CHECK(image.pixels[3 * pixel + 2] == 0); // light is not below 0
         }
         CHECK(rig.film.develop(SAMPLE_COUNT).pixels == std::vector<float>(3, float(count)));
     }

@@ -28,7 +28,16 @@ constexpr float MOST_STOPS = 64.0f;
 const std::map<std::string, bool> SWITCH{{"on", true}, {"off", false}};
 
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
-    if (const auto size = parse_pair(text, 'x', "--size")) return *size;
+    if (const auto size = parse_pair(text, 'x', "--size")) {
+        const auto check = [&](const char* side, uint32_t pixels) {
+            if (pixels < FILM_SIZE.low || pixels > FILM_SIZE.high)
+                throw InputError("--size {}: {} {} is out of range; use {} to {}", text, side,
+                                 pixels, FILM_SIZE.low, FILM_SIZE.high);
+        };
+        check("width", size->first);
+        check("height", size->second);
+        return *size;
+    }
     throw InputError("--size {} is not of the form WIDTHxHEIGHT, for example 640x480", text);
 }
 

@@ -183,6 +183,8 @@ bool run(const ThumbnailRequest& request) {
     if (!batch.interrupted && !batch.failures.empty())
         throw InputError(list_of(batch.failures, paths.size()));
     warn_of(batch.failures, paths.size());
+    if (batch.interrupted)
+        spdlog::warn("interrupted with {} of {} pictures done", batch.pictures, paths.size());
     return batch.interrupted;
 }
 

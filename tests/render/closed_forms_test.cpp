@@ -131,6 +131,16 @@ TEST_CASE("no rough material makes light in a white furnace, and single scatteri
         }
 }
 
+TEST_CASE("rough glass of the index of air is not seen") {
+    Material glass = material_of(MaterialKind::dielectric, 1, 0.5f);
+    glass.ior = 1.0f;
+    const Picture picture = render_scene(furnace(glass), small_options(24, 24, 16));
+    const Statistics s = statistics(picture.image);
+    CHECK(picture.invalid.count == 0);
+    CHECK(std::abs(s.low - 1) < 1e-5);
+    CHECK(std::abs(s.high - 1) < 1e-5);
+}
+
 TEST_CASE("a square light gives the irradiance of its closed form") {
     Scene scene = floor_seen_from_above();
     scene.cameras = {camera_at({0, 0.5f, 0}, {0, 0, 0}, 0.002f)};

@@ -12,11 +12,14 @@ typedef struct {
     real eta; // index below over index above
 } DielectricLobe;
 
+// However rough, a boundary of equal indices turns no light around.
+#define EQUAL_INDICES 1e-4f
+
 INLINE DielectricLobe dielectric_load(SceneView view, MaterialPoint m) {
     DielectricLobe lobe;
     lobe.tint = m.color;
-    lobe.alpha = m.alpha;
     const real ior = RECORD(view.materials, m.material, MaterialRecord, ior);
+    lobe.alpha = choose(fabs(ior - 1.0f) < EQUAL_INDICES, (real)(0.0f), m.alpha);
     lobe.eta = choose(m.front, ior, 1.0f / ior);
     return lobe;
 }

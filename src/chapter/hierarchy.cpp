@@ -94,11 +94,12 @@ HierarchyReport measure_hierarchy(gpu::Programs& programs, const TriangleSoup& o
         report.hits += counts[3 * i + 2];
     }
 
-    gpu::Program tracer = programs.build(
-        {"trace/query.cl",
-         defines(bvh),
-         {{"closest", LOCAL_SIZE, rays.size()}, {"occluded", LOCAL_SIZE, rays.size()}},
-         {layout_file(bvh.layout)}});
+    const uint32_t group = device.facts().tracing_group();
+    gpu::Program tracer =
+        programs.build({"trace/query.cl",
+                        defines(bvh),
+                        {{"closest", group, rays.size()}, {"occluded", group, rays.size()}},
+                        {layout_file(bvh.layout)}});
     const gpu::Buffer<uint32_t> hits(device, 5 * rays.size());
     std::vector<double> seconds;
     for (size_t i = 0; i < RUNS; ++i) {

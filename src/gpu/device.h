@@ -33,6 +33,9 @@ struct DeviceFacts {
     /// Whether code in vectors of 8 or 16 stays such; other compilers take it apart, number by
     /// number.
     bool keeps_vectors() const { return is_cpu && (is_pocl || is_intel); }
+    /// Work items of a group where each follows rays of its own: Intel's compiler for CPUs mixes up
+    /// the stacks of a group's.
+    uint32_t tracing_group() const { return is_cpu && is_intel ? 1 : 64; }
 };
 
 struct PlatformReport {

@@ -1,10 +1,12 @@
 #include "upload/ray_query.h"
 
+#include <algorithm>
+
 namespace onde {
 
 namespace {
 
-gpu::ProgramRequest request(const Bvh& bvh, QueryKernels kernels,
+gpu::ProgramRequest request(const Bvh& bvh, QueryKernels kernels, uint32_t group,
                             std::vector<std::string> defines) {
     constexpr size_t MANY = 1u << 20;
     defines.push_back(fmt::format("ONDE_STACK_SIZE={}", bvh.stack_size));
@@ -14,11 +16,11 @@ gpu::ProgramRequest request(const Bvh& bvh, QueryKernels kernels,
     defines.push_back(fmt::format("ONDE_STREAM_QUERIES={:d}", kernels == QueryKernels::every));
     gpu::ProgramRequest request{"trace/query.cl",
                                 std::move(defines),
-                                {{"closest", 64, MANY}, {"occluded", 64, MANY}},
+                                {{"closest", group, MANY}, {"occluded", group, MANY}},
                                 {layout_file(bvh.layout)}};
     if (kernels == QueryKernels::every)
         for (const char* name : {"closest_stream", "closest_interleaved", "occluded_stream"})
-            request.kernels.push_back({name, 4, MANY});
+            request.kernels.push_back({name, std::min(group, 4u), MANY});
     return request;
 }
 
@@ -34,7 +36,8 @@ Bvh build(const Geometry& geometry, const BvhOptions& options) {
 RayQuery::RayQuery(gpu::Programs& programs, const Geometry& geometry, const BvhOptions& options,
                    QueryKernels kernels, std::vector<std::string> defines)
     : device_(programs.device()), bvh_(build(geometry, options)), tree_(device_, bvh_),
-      program_(programs.build(request(bvh_, kernels, std::move(defines)))) {}
+      program_(programs.build(
+          request(bvh_, kernels, device_.facts().tracing_group(), std::move(defines)))) {}
 
 template <class Result>
 void RayQuery::launch(const char* name, size_t rays_per_item, const QueryRays& set,

@@ -82,8 +82,9 @@ class Tracer {
         defines.push_back(fmt::format("ONDE_INSTANCES={:d}", all || bvh.has_instances));
         defines.push_back(fmt::format("ONDE_SPHERES={:d}", all || !bvh.spheres.empty()));
         const bool wide = bvh.layout == BvhLayout::wide;
+        const uint32_t group = device().facts().tracing_group();
         defines.push_back(fmt::format("ONDE_STREAM_QUERIES={:d}", wide));
-        std::vector<KernelShape> kernels{{"closest", 64}, {"occluded", 64}};
+        std::vector<KernelShape> kernels{{"closest", group}, {"occluded", group}};
         if (wide)
             for (const char* name : {"closest_stream", "closest_interleaved", "occluded_stream"})
                 kernels.push_back({name, 1});

@@ -138,4 +138,10 @@ JoinedMesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& note
     return joined;
 }
 
+void place_only(JoinedMesh joined, Scene& scene) {
+    scene.origin = joined.origin;
+    scene.meshes.push_back(std::move(joined.mesh));
+    scene.instances.push_back({0, glm::mat4(1.0f)});
+}
+
 } // namespace onde

@@ -42,4 +42,7 @@ struct JoinedMesh {
 /// ones are replaced by a face's normal, with a note. Triangles without area are kept, with a note.
 JoinedMesh join_parts(std::string name, std::vector<MeshPart> parts, Notes& notes);
 
+/// Makes it the one mesh of a scene, placed where it is.
+void place_only(JoinedMesh joined, Scene& scene);
+
 } // namespace onde

@@ -3,7 +3,7 @@
 
 #include "accel/bvh.h"
 #include "gpu/buffer_list.h"
-#include "scene/origin.h"
+#include "scene/extent.h"
 #include "scene/scene.h"
 #include "shared/frame.h"
 #include "upload/appearance.h"

@@ -81,7 +81,6 @@ class PartBuilder {
 };
 
 glm::dvec3 origin_of_faces(const File& file) {
-    constexpr size_t MOST_DETAILS = 4096;
     const size_t step = file.faces.size() / MOST_DETAILS + 1;
     SceneExtent extent;
     const auto position = [&](const Corner& corner) {

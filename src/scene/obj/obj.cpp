@@ -84,11 +84,7 @@ Scene load_obj(const fs::path& path, LoadContext& context) {
         throw InputError("{}: all faces have positions that are no finite numbers; export it again",
                          name);
     obj::smooth_groups(file);
-    JoinedMesh joined =
-        obj::build_mesh(file, path.stem().string(), bindings.materials, notes, cost);
-    scene.origin = joined.origin;
-    scene.meshes.push_back(std::move(joined.mesh));
-    scene.instances.push_back({0, glm::mat4(1.0f)});
+    place_only(obj::build_mesh(file, path.stem().string(), bindings.materials, notes, cost), scene);
     scene.notes = notes.sentences();
     return scene;
 }

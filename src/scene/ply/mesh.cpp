@@ -75,7 +75,7 @@ class Reader {
                              "again",
                              name_);
         part_.materials.assign(part_.triangles.size(), 0);
-        part_.origin = origin_of(extent_of_scene(positions_, part_.triangles));
+        part_.origin = origin_of(scene_extent_of(positions_, part_.triangles));
         part_.positions = counted_from(part_.origin, positions_);
         hide_bad_positions();
         std::vector<MeshPart> parts;

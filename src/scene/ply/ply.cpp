@@ -47,11 +47,8 @@ Scene load_ply(const fs::path& path, LoadContext& context) {
     const ply::Header header = ply::read_header(name, file);
     Notes notes = context.notes_of(path);
     Scene scene;
-    JoinedMesh joined = ply::read_mesh(name, path.stem().string(), file, header, notes, context);
-    scene.origin = joined.origin;
-    scene.meshes.push_back(std::move(joined.mesh));
+    place_only(ply::read_mesh(name, path.stem().string(), file, header, notes, context), scene);
     scene.materials.push_back(material_of(header, path, scene, notes, context));
-    scene.instances.push_back({0, glm::mat4(1.0f)});
     scene.notes = notes.sentences();
     return scene;
 }

@@ -54,7 +54,7 @@ class FacetMesh {
                              name);
         if (part_.triangles.empty())
             throw InputError("{}: it holds no triangles; export it again", name);
-        part_.origin = origin_of(extent_of_scene(positions_, part_.triangles));
+        part_.origin = origin_of(scene_extent_of(positions_, part_.triangles));
         part_.positions = counted_from(part_.origin, positions_);
         std::vector<MeshPart> parts;
         parts.push_back(std::move(part_));
@@ -101,10 +101,7 @@ Scene load_stl(const fs::path& path, LoadContext& context) {
         name, bytes, [&](std::span<const glm::dvec3> corners) { mesh.add(corners, notes); }, notes);
     Scene scene;
     scene.materials.emplace_back().name = "default";
-    JoinedMesh joined = mesh.take(name, path.stem().string(), notes);
-    scene.origin = joined.origin;
-    scene.meshes.push_back(std::move(joined.mesh));
-    scene.instances.push_back({0, glm::mat4(1.0f)});
+    place_only(mesh.take(name, path.stem().string(), notes), scene);
     scene.notes = notes.sentences();
     return scene;
 }

@@ -1,6 +1,7 @@
 #include "upload/pack.h"
 
 #include "core/error.h"
+#include "scene/origin.h"
 #include "scene/phong.h"
 #include "upload/bvh_arrays.h"
 #include "upload/geometry.h"

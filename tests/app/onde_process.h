@@ -168,4 +168,14 @@ inline Outcome onde(const Folder& folder, const Arguments& arguments,
     return Process(folder, arguments, environment).wait();
 }
 
+/// What the program prints on standard output, when it ends with code 0 and complains of nothing.
+inline std::string output_of(const Folder& folder, const Arguments& arguments,
+                             const Environment& environment = {}) {
+    const Outcome outcome = onde(folder, arguments, environment);
+    INFO(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    return outcome.out;
+}
+
 } // namespace onde::test

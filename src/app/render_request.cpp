@@ -204,15 +204,6 @@ void declare_replay_options(Command& command, RenderRequest& request) {
     declare_machine(command, request.machine);
 }
 
-/// Throws OverBudget unless the map fits what a load may take.
-static void check_environment_fits(const std::string& path, const LoadOptions& options) {
-    LoadContext context(options);
-    const std::string file = read_file_within(context, path);
-    const ImageSize size =
-        image_size({reinterpret_cast<const uint8_t*>(file.data()), file.size()}, path);
-    context.spend(size.pixels(), ENVIRONMENT_PIXEL_BYTES, path);
-}
-
 LoadOptions requested_load(const RenderRequest& request) {
     LoadOptions options = load_options(request.load);
     options.studio = request.studio;
@@ -222,9 +213,9 @@ LoadOptions requested_load(const RenderRequest& request) {
         options.size = glm::uvec2(width, height);
     }
     if (!request.environment.empty()) {
-        check_environment_fits(request.environment, options);
+        LoadContext context(options);
         options.environment =
-            load_environment(request.environment, glm::vec3(1.0f), request.environment_rotation);
+            load_environment_within(context, request.environment, request.environment_rotation);
     }
     return options;
 }

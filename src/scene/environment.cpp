@@ -1,5 +1,7 @@
+#include "image/image_io.h"
 #include "scene/angle.h"
 #include "scene/load.h"
+#include "scene/load_context.h"
 #include "scene/loaders.h"
 
 #include <fmt/format.h>
@@ -27,6 +29,15 @@ Environment load_environment(const std::filesystem::path& path, glm::vec3 scale,
     return {.radiance = scale,
             .map = as_radiance(read_image(path, max_pixels)),
             .rotation = radians_of(rotation_degrees)};
+}
+
+Environment load_environment_within(LoadContext& context, const std::filesystem::path& path,
+                                    float rotation_degrees) {
+    const std::string name = path.string(), file = read_file_within(context, path);
+    const ImageSize size =
+        image_size({reinterpret_cast<const uint8_t*>(file.data()), file.size()}, name);
+    context.spend(size.pixels(), ENVIRONMENT_PIXEL_BYTES, name);
+    return load_environment(path, glm::vec3(1.0f), rotation_degrees);
 }
 
 void bound_environment(Scene& scene) {

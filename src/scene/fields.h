@@ -38,7 +38,7 @@ inline constexpr Range POSITIVE{.low = 1e-30};
 inline constexpr Range UNIT{.low = 0.0, .high = 1.0};
 
 /// What is wrong with a value outside of the range: "must lie between 0 and 1", "must be above 0",
-/// "is too large for the numbers of scenes, which end at 3.4e+38", ...
+/// "is too large for single precision, which ends at 3.4e+38", ...
 std::string why_not_in(const Range& range, double value);
 
 /// What a value means beyond its type.

@@ -35,6 +35,11 @@ SceneBounds scene_bounds(const Scene& scene);
 Environment load_environment(const std::filesystem::path& path, glm::vec3 scale,
                              float rotation_degrees, uint64_t max_pixels = MOST_PIXELS);
 
+class LoadContext;
+/// The same within what a load may take, which it spends: throws OverBudget before it decodes.
+Environment load_environment_within(LoadContext& context, const std::filesystem::path& path,
+                                    float rotation_degrees);
+
 /// What a pixel of an environment takes: read and made a radiance, or packed with its weights.
 inline constexpr uint64_t ENVIRONMENT_PIXEL_BYTES = 48;
 

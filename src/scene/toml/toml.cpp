@@ -229,11 +229,7 @@ void TomlScene::read_environment(const TableReader& root) {
         const fs::path file = context_.resolve(folder_, *map, table.where("map"));
         if (!fs::exists(file))
             table.fail("map", fmt::format("names '{}', which does not exist", *map));
-        const uint64_t most = context_.left() / ENVIRONMENT_PIXEL_BYTES;
-        environment.map =
-            load_environment(file, glm::vec3(1.0f), 0.0f, std::min(most, MOST_PIXELS)).map;
-        const uint64_t pixels = uint64_t(environment.map->width) * environment.map->height;
-        context_.spend(pixels, ENVIRONMENT_PIXEL_BYTES, file.string());
+        environment.map = load_environment_within(context_, file, 0.0f).map;
     }
     has_own_environment_ = emits(scene_.environment);
 }

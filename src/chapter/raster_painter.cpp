@@ -63,7 +63,7 @@ class TilePainter : public Painter {
         for (uint32_t sample = 0; sample < count; sample++) {
             scene_.set_sample(first + sample);
             const auto between = [&] { return keep_going(double(sample) / count); };
-            film_.begin_pass(first + sample, 1);
+            film_.begin_pass(first + sample, 1, pixels());
             if (!draw_sample(between)) return;
             film_.end_wave(pixels());
             if (!keep_going(double(sample + 1) / count)) return;

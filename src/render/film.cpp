@@ -13,14 +13,14 @@ namespace {
 /// Whether a film may get more than one block. Splats, which are exact, are never carried.
 bool has_several_blocks(const RenderOptions& options) {
     return options.integrator != IntegratorKind::light &&
-           (options.samples > FILM_BLOCK || options.seconds > 0);
+           (options.samples - options.first_sample > FILM_BLOCK || options.seconds > 0);
 }
 
 /// Levels that the blocks are carried to; the last block stays where it is added.
 size_t pending_levels(const RenderOptions& options) {
     if (!has_several_blocks(options)) return 0;
     if (options.seconds > 0) return 0; // nobody knows how many; they are allocated when they come
-    return size_t(std::bit_width((options.samples - 1) / FILM_BLOCK));
+    return size_t(std::bit_width((options.samples - 1 - options.first_sample) / FILM_BLOCK));
 }
 
 Film::Sums make_sums(gpu::BufferList& buffers, const RenderOptions& options) {
@@ -42,8 +42,10 @@ void plan_film(gpu::BufferList& buffers, const RenderOptions& options) {
 
 Film::Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOptions& options)
     : programs_(programs), device_(programs.device()), width_(options.width),
-      height_(options.height), aovs_(options.aovs), sums_(make_sums(buffers, options)),
-      invalid_(buffers.add<uint32_t>("invalid samples", INVALID_SIZE)) {
+      height_(options.height), aovs_(options.aovs), first_sample_(options.first_sample),
+      sums_(make_sums(buffers, options)),
+      invalid_(buffers.add<uint32_t>("invalid samples", INVALID_SIZE)),
+      pass_pixels_(width_ * height_) {
     if (has_several_blocks(options)) build();
     clear();
 }
@@ -57,39 +59,54 @@ void Film::build() {
 }
 
 double Film::samples() const {
-    return extent_.end - extent_.begin + double(extent_.pass) * extent_.pixels / pixels();
+    return extent_.end - extent_.begin + double(extent_.pass) * extent_.pixels / pass_pixels_;
 }
 
-uint32_t Film::begin_pass(uint32_t first, uint32_t count) {
-    if (samples() == 0) extent_.begin = extent_.end = first;
+uint32_t Film::begin_pass(uint32_t first, uint32_t count, uint32_t pixels) {
+    if (samples() == 0) {
+        extent_.begin = extent_.end = first;
+        block_ = first / FILM_BLOCK;
+    }
     const bool follows = first == extent_.end && (extent_.pixels == 0 || count == extent_.pass);
-    if (!follows || count == 0 || count > FILM_BLOCK - first % FILM_BLOCK)
+    const bool begins_block = extent_.begin % FILM_BLOCK == 0 || is_splatted();
+    if (!follows || !begins_block || count == 0 || count > FILM_BLOCK - first % FILM_BLOCK)
         throw InputError("{} samples from {} can't follow sample {} of a film", count, first,
                          extent_.end);
-    const bool is_full = extent_.end % FILM_BLOCK == 0 && extent_.end > extent_.begin;
-    if (is_full && extent_.pass == 0 && splats_.size() == 0) carry();
+    const bool is_full = extent_.end == FILM_BLOCK * (uint64_t(block_) + 1);
+    if (is_full && !is_splatted()) carry();
     extent_.pass = count;
+    pass_pixels_ = pixels;
     return extent_.pixels;
 }
 
 void Film::end_wave(uint32_t pixels) {
     extent_.pixels = pixels;
-    if (pixels < this->pixels()) return;
+    if (pixels < pass_pixels_) return;
     extent_.end += extent_.pass;
     extent_.pass = extent_.pixels = 0;
 }
 
-/// Levels of which some may hold something.
-size_t Film::levels() const {
-    return splats_.size() > 0 ? 0 : size_t(std::bit_width(extent_.block()));
+bool Film::has(const FilmNode& node) const {
+    return node.first_block() * FILM_BLOCK >= extent_.begin && node.end_block() <= block_;
+}
+
+std::vector<FilmNode> Film::nodes() const {
+    if (is_splatted()) return {};
+    return cover(extent_.begin / FILM_BLOCK, block_);
 }
 
 void Film::carry() {
-    const auto level = size_t(std::countr_one(extent_.block())); // of the block that is full
-    while (sums_.pending.size() <= level) sums_.pending.emplace_back(device_, sum_count());
-    for (size_t below = 0; below < level; below++)
-        if (extent_.is_pending(below)) launch("join", sums_.pending[below]);
-    launch("carry", sums_.pending[level]);
+    FilmNode node{0, block_};
+    for (; node.is_right() && has(node.sibling()); node = node.parent())
+        launch("join", sums_.pending[node.level]);
+    if (node.is_right()) {
+        finished_.push_back({node, sums_.block.read(device_)});
+        sums_.block.fill(device_, cl_float4{});
+    } else {
+        while (sums_.pending.size() <= node.level) sums_.pending.emplace_back(device_, sum_count());
+        launch("carry", sums_.pending[node.level]);
+    }
+    block_++;
 }
 
 void Film::launch(const char* name, const gpu::Buffer<cl_float4>& pending) {
@@ -100,15 +117,32 @@ void Film::launch(const char* name, const gpu::Buffer<cl_float4>& pending) {
     kernel.launch((sum_count() + chunk - 1) / chunk);
 }
 
+FilmSums Film::read(const FilmNode& node) const {
+    if (!node.is_right()) return sums_.pending[node.level].read(device_);
+    return std::ranges::find(finished_, node, &FilmPart::node)->sums;
+}
+
 FilmSums Film::join() const {
-    FilmSums sums = sums_.block.read(device_);
-    for (size_t level = 0; level < levels(); level++) {
-        if (!extent_.is_pending(level)) continue;
-        const FilmSums pending = sums_.pending[level].read(device_);
-        for (size_t i = 0; i < sums.size(); i++)
-            for (size_t k = 0; k < 4; k++) sums[i].s[k] += pending[i].s[k];
+    std::vector<FilmNode> all = nodes();
+    all.push_back({0, block_});
+    const auto load = [&](size_t i) {
+        return i + 1 < all.size() ? read(all[i]) : sums_.block.read(device_);
+    };
+    return join_nodes(std::span<const FilmNode>(all), load, add_sums);
+}
+
+void add_sums(FilmSums& sums, const FilmSums& more) {
+    for (size_t i = 0; i < sums.size(); i++)
+        for (size_t k = 0; k < 4; k++) sums[i].s[k] += more[i].s[k];
+}
+
+void add_part(std::vector<FilmPart>& parts, FilmPart part) {
+    while (part.node.is_right() && !parts.empty() && parts.back().node == part.node.sibling()) {
+        add_sums(part.sums, parts.back().sums);
+        part.node = part.node.parent();
+        parts.pop_back();
     }
-    return sums;
+    parts.push_back(std::move(part));
 }
 
 const FilmChannel* find_channel(std::string_view name) {
@@ -145,19 +179,32 @@ Image Film::develop(const FilmChannel& channel) const {
 }
 
 void Film::clear() {
-    extent_ = {};
+    extent_ = {.begin = first_sample_, .end = first_sample_};
+    block_ = first_sample_ / FILM_BLOCK;
+    finished_.clear();
     sums_.block.fill(device_, cl_float4{});
     splats_.fill(device_, 0u);
     invalid_.fill(device_, 0u);
 }
 
 FilmContents Film::contents() const {
-    FilmContents contents{width_, height_, aovs_, extent_, sums_.block.read(device_), {}, {}};
-    for (size_t level = 0; level < levels(); level++)
-        contents.pending.push_back(extent_.is_pending(level) ? sums_.pending[level].read(device_)
-                                                             : FilmSums());
+    FilmContents contents{width_, height_, aovs_, extent_, {}, sums_.block.read(device_), {}};
     contents.splats = splats_.read(device_);
+    for (const FilmNode& node : nodes()) contents.parts.push_back({node, read(node)});
+    if (is_splatted() || extent_.end != FILM_BLOCK * (uint64_t(block_) + 1)) return contents;
+    add_part(contents.parts, {{0, block_}, std::move(contents.block)});
+    contents.block.assign(sum_count(), cl_float4{});
     return contents;
+}
+
+void Film::put(const FilmPart& part) {
+    if (part.node.is_right()) {
+        finished_.push_back(part);
+        return;
+    }
+    while (sums_.pending.size() <= part.node.level)
+        sums_.pending.emplace_back(device_, sum_count());
+    sums_.pending[part.node.level].write(device_, part.sums);
 }
 
 void Film::restore(const FilmContents& contents) {
@@ -165,14 +212,15 @@ void Film::restore(const FilmContents& contents) {
         contents.splats.size() != splats_.size())
         throw InputError("a film of {}x{} pixels can't go on with one of {}x{}, or of another kind",
                          width_, height_, contents.width, contents.height);
+    if (contents.extent.begin != first_sample_)
+        throw InputError("a film from sample {} on can't go on with one from {} on", first_sample_,
+                         contents.extent.begin);
     clear();
     extent_ = contents.extent;
+    block_ = extent_.end / FILM_BLOCK;
+    for (const FilmPart& part : contents.parts) put(part);
     splats_.write(device_, contents.splats);
     sums_.block.write(device_, contents.block);
-    while (sums_.pending.size() < contents.pending.size())
-        sums_.pending.emplace_back(device_, sum_count());
-    for (size_t level = 0; level < contents.pending.size(); level++)
-        sums_.pending[level].write(device_, contents.pending[level]);
 }
 
 Film::Invalid Film::find_invalid() const {

@@ -6,9 +6,11 @@
 //     S[a, a + 2k) = S[a, a + k) + S[a + k, a + 2k),
 // by a binary counter: level n of the pending sums holds 2^n blocks, and when a block is full and
 // another sample comes, the block is carried into the lowest free level (kernels/film/carry.cl).
-// A picture in between adds the pending levels to the sums of the last block from the lowest level
-// to the highest, which is the same tree with its missing samples left out. So a film of 64 samples
-// or fewer is the plain sum, and a film goes on from wherever it was left.
+// In a film that begins at a later block some nodes are the right half of a pair whose left half is
+// another film's: they are finished, and go to the host.
+// A picture in between joins the nodes and the last block as the tree says, with the missing
+// samples left out. So a film of 64 samples or fewer is the plain sum, and a film goes on from
+// wherever it was left.
 //
 // Splats, which any path may add to any pixel, are exact integers and need no tree.
 #pragma once
@@ -24,13 +26,13 @@
 
 namespace onde {
 
-/// States the buffers of a film of options.samples samples with options.aovs.
+/// States the buffers of a film of the options' samples and AOVs.
 void plan_film(gpu::BufferList& buffers, const RenderOptions& options);
 
 class Film {
   public:
-    /// An empty film with options.aovs. It may get more samples than the options say; the buffers
-    /// for those are in no list. The programs outlive it.
+    /// An empty film with options.aovs, from options.first_sample on. It may get more samples than
+    /// the options say; the buffers for those are in no list. The programs outlive it.
     Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOptions& options);
 
     /// From now on the film is what the integrator makes of these sums at the end of each pass.
@@ -44,12 +46,12 @@ class Film {
     /// Per pixel, not whole after an interrupted pass.
     double samples() const;
 
-    /// To be called before samples first .. first + count - 1 of all pixels are added. They lie in
-    /// one block and follow the film's last ones (an empty film begins anywhere); a pass that was
-    /// interrupted comes again. Returns how many pixels of pixel_order() have them already. Throws
-    /// InputError otherwise.
-    uint32_t begin_pass(uint32_t first, uint32_t count);
-    /// The first `pixels` pixels have the samples of the pass.
+    /// To be called before samples first .. first + count - 1 are added to a list of `pixels`
+    /// pixels; the others get none. They lie in one block and follow the film's last ones (an empty
+    /// film begins at any block); a pass that was interrupted comes again. Returns how many of the
+    /// pixels have them already. Throws InputError otherwise.
+    uint32_t begin_pass(uint32_t first, uint32_t count, uint32_t pixels);
+    /// The first `pixels` of the list have the samples of the pass.
     void end_wave(uint32_t pixels);
 
     /// Whether it has that channel, and its picture: pixels without a sample are black.
@@ -59,8 +61,8 @@ class Film {
     /// Removes its sums. Who counts beside them is in Integrator::clear().
     void clear();
     FilmContents contents() const;
-    /// Goes on from there. Throws InputError unless they are of a film of this size and AOVs, with
-    /// splats if this one has them.
+    /// Goes on from there. Throws InputError unless they are of a film of this size, AOVs and first
+    /// sample, with splats if this one has them.
     void restore(const FilmContents& contents);
 
     /// Samples that were thrown away because their radiance was not finite, and the first of them.
@@ -78,18 +80,27 @@ class Film {
   private:
     uint32_t pixels() const { return width_ * height_; }
     uint32_t sum_count() const { return pixels() * film_planes(aovs_); }
-    size_t levels() const;
+    bool is_splatted() const { return splats_.size() > 0; }
     void build();
     void carry();
     void launch(const char* kernel, const gpu::Buffer<cl_float4>& pending);
+    /// Whether the film has every block of that node before its current one.
+    bool has(const FilmNode& node) const;
+    /// Those before the current block.
+    std::vector<FilmNode> nodes() const;
+    FilmSums read(const FilmNode& node) const;
+    void put(const FilmPart& part);
     FilmSums join() const;
 
     gpu::Programs& programs_;
     const gpu::Device& device_;
-    uint32_t width_, height_, aovs_;
+    uint32_t width_, height_, aovs_, first_sample_;
     Sums sums_;
     gpu::Buffer<uint32_t> invalid_, splats_;
     FilmExtent extent_;
+    uint32_t block_ = 0;                  ///< number of the current one, which sums_ has
+    uint32_t pass_pixels_;                ///< that get the samples of the last pass
+    std::vector<FilmPart> finished_;      ///< right halves without the left one
     std::optional<gpu::Program> program_; ///< where there are several blocks
 };
 

@@ -1,6 +1,8 @@
 // What a film holds, as values on the host: which samples of which pixels, and their sums.
 #pragma once
 
+#include "render/film_nodes.h"
+
 #include "shared/aovs.h"
 
 #include <CL/cl_platform.h>
@@ -12,23 +14,12 @@
 
 namespace onde {
 
-/// Samples of a pixel that are added one by one, in their order; see render/film.h.
-inline constexpr uint32_t FILM_BLOCK = 64;
-
 /// The samples of a film: begin to end - 1 of every pixel, and of a pass that was interrupted the
-/// samples end to end + pass - 1 of the first `pixels` pixels of pixel_order().
+/// samples end to end + pass - 1 of the first `pixels` of its pixels. `begin` is the first of a
+/// block, but in films of splats.
 struct FilmExtent {
     uint32_t begin = 0, end = 0;
     uint32_t pass = 0, pixels = 0; ///< pass is 0 between passes
-
-    /// The block that samples are added to: its first sample is FILM_BLOCK times that.
-    uint32_t block() const { return (pass == 0 && end > begin ? end - 1 : end) / FILM_BLOCK; }
-    /// Whether that level of the pending sums holds something: its bit is set, and the block before
-    /// the one that set it is the film's.
-    bool is_pending(size_t level) const {
-        const uint32_t set_at = block() >> level << level;
-        return (block() >> level & 1) != 0 && set_at > begin / FILM_BLOCK;
-    }
 
     bool operator==(const FilmExtent&) const = default;
 };
@@ -78,14 +69,27 @@ constexpr uint32_t film_plane(uint32_t aovs, uint32_t sums) {
 /// Sums of every pixel, by (plane * height + y) * width + x: of radiance, then of each AOV.
 using FilmSums = std::vector<cl_float4>;
 
-/// Enough to go on with a film on any device.
+/// Adds them to `sums`, one by one.
+void add_sums(FilmSums& sums, const FilmSums& more);
+
+/// The sums of a whole node.
+struct FilmPart {
+    FilmNode node;
+    FilmSums sums;
+};
+
+/// Adds a whole node behind the others, and joins it with those that it completes.
+void add_part(std::vector<FilmPart>& parts, FilmPart part);
+
+/// Enough to go on with a film on any device. Films of the same samples have equal contents.
 struct FilmContents {
     uint32_t width = 0, height = 0;
     uint32_t aovs = 0; ///< bits of their numbers
     FilmExtent extent;
-    FilmSums block;                ///< of the block that samples are added to
-    std::vector<FilmSums> pending; ///< by level; empty where nothing is pending
-    std::vector<uint32_t> splats;  ///< of light tracing, SPLAT_WORDS a pixel; else empty
+    std::vector<FilmPart> parts;  ///< cover() of its whole blocks
+    FilmSums block;               ///< of the samples behind them; zeros where there are none
+    std::vector<uint32_t> splats; ///< of light tracing, SPLAT_WORDS a pixel; else empty. Then there
+                                  ///< are no parts, and the block is what they add up to
 };
 
 } // namespace onde

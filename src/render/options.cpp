@@ -1,6 +1,7 @@
 #include "render/options.h"
 
 #include "core/error.h"
+#include "render/film_nodes.h"
 #include "shared/aovs.h"
 #include "shared/frame.h"
 #include "shared/whitted.h"
@@ -35,6 +36,10 @@ void check_options(const RenderOptions& options) {
     check_range("height", options.height, 1, 65535);
     check_range("width x height", uint64_t(options.width) * options.height, 1, 1u << 28);
     check_range("samples per pixel", options.samples, 1, 1u << 24);
+    check_range("first sample", options.first_sample, 0, options.samples - 1);
+    if (options.first_sample % FILM_BLOCK != 0)
+        throw InputError("the first sample {} is not a multiple of {}", options.first_sample,
+                         FILM_BLOCK);
     const bool is_whitted = options.integrator == IntegratorKind::whitted;
     check_range(is_whitted ? "depth of --integrator whitted" : "depth", options.depth, 1,
                 most_depth(options.integrator));

@@ -23,6 +23,7 @@ constexpr auto enum_words(Engine) {
 struct RenderOptions {
     uint32_t width = DEFAULT_FILM_SIZE.x, height = DEFAULT_FILM_SIZE.y; ///< each in [1, 65535]
     uint32_t samples = 64;                                              ///< per pixel, >= 1
+    uint32_t first_sample = 0;   ///< of those, the ones to render: this one and all behind it
     double seconds = 0;          ///< stop after about that long; 0: no limit
     uint32_t depth = 12;         ///< the most surfaces a path visits, in [1, 1023]
     uint32_t roulette_start = 1; ///< first bounce at which Russian roulette may end a path

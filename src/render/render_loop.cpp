@@ -14,7 +14,8 @@ class Reporter {
     Reporter(Integrator& integrator, const RenderOptions& options,
              const std::function<void(const Progress&)>& report, double per_second)
         : integrator_(integrator), options_(options), report_(report), interval_(1 / per_second),
-          begun_(integrator.film().samples() / options.samples) {}
+          target_(options.samples - options.first_sample),
+          begun_(integrator.film().samples() / target_) {}
 
     double seconds() const { return timer_.seconds(); }
 
@@ -24,9 +25,9 @@ class Reporter {
         next_ = now + interval_;
         Progress progress;
         progress.samples = samples;
-        progress.target_samples = options_.samples;
+        progress.target_samples = target_;
         progress.seconds = now;
-        const double by_samples = samples / options_.samples;
+        const double by_samples = samples / target_;
         const double by_time = options_.seconds > 0 ? now / options_.seconds : 0;
         progress.fraction = std::min(1.0, std::max(by_samples, by_time));
         progress.seconds_left =
@@ -40,7 +41,8 @@ class Reporter {
     const RenderOptions& options_;
     const std::function<void(const Progress&)>& report_;
     double interval_;
-    double begun_; ///< fraction that was there before
+    uint32_t target_; ///< samples
+    double begun_;    ///< fraction that was there before
     double next_ = 0;
     Timer timer_;
 };

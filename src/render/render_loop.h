@@ -23,11 +23,11 @@ struct RenderOutcome {
     bool interrupted = false;
 };
 
-/// Renders until the integrator's film has options.samples samples per pixel, or until
-/// options.seconds have passed (checked between passes, so that all pixels have equally many), or
-/// until `stop` becomes true (checked between waves). A film that holds samples is continued; the
-/// samples of the progress and the outcome are all that it holds. Calls `report` about
-/// `reports_per_second` times a second, and at the end.
+/// Renders until the integrator's film has the samples options.first_sample to options.samples - 1,
+/// or until options.seconds have passed (checked between passes, so that all pixels have equally
+/// many), or until `stop` becomes true (checked between waves). A film that holds samples is
+/// continued; the samples of the progress and the outcome are all that it holds. Calls `report`
+/// about `reports_per_second` times a second, and at the end.
 RenderOutcome render(Integrator& integrator, const RenderOptions& options,
                      const std::atomic<bool>& stop,
                      const std::function<void(const Progress&)>& report,

@@ -44,8 +44,8 @@ void WaveIntegrator::render_pass(uint32_t first, uint32_t count,
     const uint32_t pixels_per_wave = engine_->wave_capacity() / step;
     std::deque<gpu::Fence> in_flight;
     bool goes_on = true;
-    for (uint32_t begin = film_.begin_pass(first, count), end = 0; begin < pixels && goes_on;
-         begin = end) {
+    for (uint32_t begin = film_.begin_pass(first, count, pixels), end = 0;
+         begin < pixels && goes_on; begin = end) {
         end = std::min(begin + pixels_per_wave, pixels);
         for (uint32_t done = 0; done < count; done += step)
             queue_wave({begin, end - begin, first + done, step});

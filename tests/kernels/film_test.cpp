@@ -8,15 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace onde::test {
 namespace {
 
-RenderOptions options_of(uint32_t width, uint32_t samples = 1) {
+RenderOptions options_of(uint32_t width, uint32_t first_sample, uint32_t samples) {
     RenderOptions options;
     options.width = width;
     options.height = 1;
     options.samples = samples;
+    options.first_sample = first_sample;
     return options;
 }
 
@@ -27,9 +29,9 @@ class FilmRig {
   public:
     Film film;
 
-    explicit FilmRig(uint32_t width)
-        : film(programs(), buffers_, options_of(width)), width_(width),
-          program_(programs().build({"probe/film.cl", {}, {{"probe_film", 1}}})) {
+    explicit FilmRig(uint32_t width, uint32_t first_sample = 0)
+        : film(programs(), buffers_, options_of(width, first_sample, first_sample + 1)),
+          width_(width), program_(programs().build({"probe/film.cl", {}, {{"probe_film", 1}}})) {
         std::vector<uint32_t> order(width);
         for (uint32_t x = 0; x < width; x++) order[x] = x;
         order_ = gpu::Buffer<uint32_t>(device(), std::span<const uint32_t>(order));
@@ -48,7 +50,7 @@ class FilmRig {
         radiance_ = gpu::Buffer<cl_float4>(device(), std::span<const cl_float4>(radiance));
     }
     void add_placed(uint32_t samples) {
-        film.begin_pass(film.extent().end, samples);
+        film.begin_pass(film.extent().end, samples, width_);
         gpu::Kernel& kernel = program_.kernel("probe_film");
         kernel.set_from(0, width_, samples, order_, radiance_, film.sums(), film.invalid());
         kernel.launch(width_);
@@ -89,6 +91,16 @@ float tree_sum(const std::vector<float>& samples, size_t first, size_t end) {
     size_t half = FILM_BLOCK;
     while (2 * half < end - first) half *= 2;
     return tree_sum(samples, first, first + half) + tree_sum(samples, first + half, end);
+}
+
+bool same_bytes(const FilmSums& a, const FilmSums& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+}
+
+bool same_parts(const std::vector<FilmPart>& a, const std::vector<FilmPart>& b) {
+    return std::ranges::equal(a, b, [](const FilmPart& x, const FilmPart& y) {
+        return x.node == y.node && same_bytes(x.sums, y.sums);
+    });
 }
 
 float mean_of(const std::vector<float>& samples) {
@@ -169,38 +181,41 @@ TEST_CASE("pixels that an interrupted pass did not reach have the mean of fewer 
     CHECK(image.pixels[0] == mean_of(samples));
     CHECK(image.pixels[3] == mean_of({samples.begin(), samples.begin() + 80}));
     CHECK(rig.film.develop(SAMPLE_COUNT).pixels == std::vector<float>{84, 80});
-    CHECK(rig.film.begin_pass(80, 4) == 1);
-    CHECK_THROWS_AS(rig.film.begin_pass(80, 2), InputError);
-    CHECK_THROWS_AS(rig.film.begin_pass(84, 4), InputError);
+    CHECK(rig.film.begin_pass(80, 4, 2) == 1);
+    CHECK_THROWS_AS(rig.film.begin_pass(80, 2, 2), InputError);
+    CHECK_THROWS_AS(rig.film.begin_pass(84, 4, 2), InputError);
 }
 
 TEST_CASE("a pass lies in one block and follows what the film has") {
     FilmRig rig(1);
-    CHECK_THROWS_AS(rig.film.begin_pass(60, 8), InputError);
-    CHECK_THROWS_AS(rig.film.begin_pass(0, 0), InputError);
-    CHECK(rig.film.begin_pass(56, 8) == 0);
+    CHECK_THROWS_AS(rig.film.begin_pass(60, 8, 1), InputError);
+    CHECK_THROWS_AS(rig.film.begin_pass(0, 0, 1), InputError);
+    CHECK_THROWS_AS(rig.film.begin_pass(56, 8, 1), InputError);
+    CHECK(rig.film.begin_pass(64, 56, 1) == 0);
     rig.film.end_wave(1);
-    CHECK_THROWS_AS(rig.film.begin_pass(56, 8), InputError);
-    CHECK_THROWS_AS(rig.film.begin_pass(72, 8), InputError);
-    CHECK(rig.film.begin_pass(64, 64) == 0);
+    CHECK_THROWS_AS(rig.film.begin_pass(64, 56, 1), InputError);
+    CHECK_THROWS_AS(rig.film.begin_pass(128, 8, 1), InputError);
+    CHECK(rig.film.begin_pass(120, 8, 1) == 0);
+    rig.film.end_wave(1);
+    CHECK(rig.film.begin_pass(128, 64, 1) == 0);
     rig.film.clear();
-    CHECK(rig.film.begin_pass(0, 64) == 0);
+    CHECK(rig.film.begin_pass(0, 64, 1) == 0);
 }
 
 TEST_CASE("a film that begins late is the tree without the samples before") {
     std::vector<float> samples = random_samples(1000, 17);
-    std::fill(samples.begin(), samples.begin() + 330, 0.0f);
+    std::fill(samples.begin(), samples.begin() + 320, 0.0f);
     FilmRig rig(1);
-    rig.film.begin_pass(330, 1);
-    rig.add_all({samples.begin() + 330, samples.end()});
-    CHECK(rig.film.develop().pixels[0] == tree_sum(samples, 0, 1000) / 670.0f);
-    CHECK(rig.film.samples() == 670);
+    rig.film.begin_pass(320, 1, 1);
+    rig.add_all({samples.begin() + 320, samples.end()});
+    CHECK(rig.film.develop().pixels[0] == tree_sum(samples, 0, 1000) / 680.0f);
+    CHECK(rig.film.samples() == 680);
 }
 
 TEST_CASE("a film takes a buffer for every doubling of its blocks, and none for one block") {
     const auto buffers = [](uint32_t samples) {
         gpu::BufferList list;
-        plan_film(list, options_of(70, samples));
+        plan_film(list, options_of(70, 0, samples));
         const auto sums = list.sizes().size() - 1; // the last buffer counts invalid samples
         CHECK(list.sizes().back().name == "invalid samples");
         CHECK(gpu::total_bytes(list.sizes()) - list.sizes().back().bytes == sums * 70 * 16);
@@ -212,11 +227,83 @@ TEST_CASE("a film takes a buffer for every doubling of its blocks, and none for 
     CHECK(buffers(128) == 2);
     CHECK(buffers(129) == 3);
     CHECK(buffers(1u << 20) == 15);
-    for (const uint32_t samples : {64u, 65u, 128u, 129u, 640u}) {
+    for (const uint32_t samples : {64u, 128u, 192u, 640u}) {
         FilmRig rig(1);
-        rig.add_all(std::vector<float>(samples, 1.0f));
-        CHECK(rig.film.contents().pending.size() + 1 == buffers(samples));
+        rig.place(std::vector<cl_float4>(FILM_BLOCK, {{1, 1, 1, 0}}));
+        const uint64_t before = device().allocated_bytes();
+        for (uint32_t done = 0; done < samples; done += FILM_BLOCK) rig.add_placed(FILM_BLOCK);
+        CHECK((device().allocated_bytes() - before) / sizeof(cl_float4) + 1 == buffers(samples));
     }
+}
+
+TEST_CASE("blocks are covered by whole nodes, as few as can be") {
+    for (uint32_t begin = 0; begin < 40; begin++)
+        for (uint32_t end = begin; end < 40; end++) {
+            uint64_t at = begin;
+            const std::vector<FilmNode> nodes = cover(begin, end);
+            for (const FilmNode& node : nodes) {
+                CHECK(node.first_block() == at);
+                at = node.end_block();
+            }
+            CHECK(at == end);
+            for (size_t i = 1; i < nodes.size(); i++)
+                CHECK_FALSE((nodes[i].is_right() && nodes[i - 1] == nodes[i].sibling()));
+        }
+}
+
+TEST_CASE("a film that begins at any block keeps only whole nodes of the tree") {
+    const std::vector<float> samples = random_samples(1000, 13);
+    for (const uint32_t first : {64u, 128u, 192u, 320u, 448u, 832u, 960u})
+        for (const uint32_t end : {first + 1, 128u, 512u, 640u, 1000u}) {
+            if (end <= first) continue;
+            FilmRig rig(1, first);
+            rig.add_all({samples.begin() + first, samples.begin() + end});
+            const FilmContents contents = rig.film.contents();
+            INFO("samples " << first << " to " << end);
+            std::vector<FilmNode> nodes;
+            for (const FilmPart& part : contents.parts) {
+                nodes.push_back(part.node);
+                CHECK(part.sums[0].s[0] == tree_sum(samples, part.node.first_block() * FILM_BLOCK,
+                                                    part.node.end_block() * FILM_BLOCK));
+            }
+            CHECK(nodes == cover(first / FILM_BLOCK, end / FILM_BLOCK));
+            CHECK(contents.block[0].s[0] == tree_sum(samples, end / FILM_BLOCK * FILM_BLOCK, end));
+            CHECK(rig.film.develop(SAMPLE_COUNT).pixels[0] == float(end - first));
+            FilmRig resumed(1, first);
+            resumed.film.restore(contents);
+            CHECK(resumed.film.develop().pixels == rig.film.develop().pixels);
+            CHECK(same_parts(resumed.film.contents().parts, contents.parts));
+        }
+}
+
+TEST_CASE("films of some blocks add up to the film of all, bit for bit") {
+    const std::vector<float> samples = random_samples(1000, 17);
+    FilmRig whole(1);
+    whole.add_all(samples);
+    const FilmContents expected = whole.film.contents();
+    for (const std::vector<uint32_t>& borders :
+         {std::vector<uint32_t>{0, 64, 1000},
+          {0, 128, 192, 1000},
+          {0, 448, 512, 576, 1000},
+          {0, 64, 128, 192, 256, 320, 384, 448, 512, 576, 640, 704, 768, 832, 896, 960, 1000}}) {
+        std::vector<FilmPart> parts;
+        for (size_t i = 0; i + 1 < borders.size(); i++) {
+            FilmRig rig(1, borders[i]);
+            rig.add_all({samples.begin() + borders[i], samples.begin() + borders[i + 1]});
+            const FilmContents contents = rig.film.contents();
+            for (const FilmPart& part : contents.parts) add_part(parts, part);
+            if (i + 2 == borders.size()) CHECK(same_bytes(contents.block, expected.block));
+        }
+        INFO(borders.size() - 1 << " films, the first of " << borders[1] << " samples");
+        CHECK(same_parts(parts, expected.parts));
+    }
+}
+
+TEST_CASE("a film begins and goes on only where the tree allows it") {
+    FilmRig rig(1);
+    CHECK_THROWS_WITH(rig.film.begin_pass(65, 1, 1), Catch::Contains("can't follow"));
+    CHECK_THROWS_WITH(FilmRig(1, 64).film.restore(rig.film.contents()),
+                      Catch::Contains("from sample 64 on"));
 }
 
 } // namespace onde::test

@@ -51,9 +51,11 @@ std::string difference(const FilmContents& a, const FilmContents& b) {
     if (!(a.extent == b.extent)) return "other samples";
     if (a.splats != b.splats) return "splats";
     if (!same_sums(a.block, b.block)) return "the block";
-    if (a.pending.size() != b.pending.size()) return "other levels";
-    for (size_t level = 0; level < a.pending.size(); level++)
-        if (!same_sums(a.pending[level], b.pending[level])) return fmt::format("level {}", level);
+    if (a.parts.size() != b.parts.size()) return "other nodes";
+    for (size_t i = 0; i < a.parts.size(); i++) {
+        if (a.parts[i].node != b.parts[i].node) return fmt::format("node {}", i);
+        if (!same_sums(a.parts[i].sums, b.parts[i].sums)) return fmt::format("sums of node {}", i);
+    }
     return "";
 }
 
@@ -87,6 +89,30 @@ TEST_CASE("640 samples in one go and in steps give the same bytes, by every inte
             CHECK(difference(resumed->film().contents(), expected) == "");
         }
     }
+}
+
+TEST_CASE("renders of some samples each add up to the whole render, by other waves too") {
+    const Studio studio;
+    RenderOptions options = options_of(IntegratorKind::path, 500);
+    const auto whole = studio.integrator(options);
+    render_to(*whole, options, 500);
+    const FilmContents expected = whole->film().contents();
+    std::vector<FilmPart> parts;
+    for (const auto& [first, end] : {std::pair{0u, 64u}, {64u, 192u}, {192u, 500u}}) {
+        options.first_sample = first;
+        options.samples_in_flight = first == 64 ? 4 : 16;
+        options.settings.wave_size = first == 64 ? 512 : 65536;
+        const auto part = studio.integrator(options);
+        options.samples = end;
+        const std::atomic<bool> never{false};
+        CHECK(render(*part, options, never, [](const Progress&) {}).samples == end - first);
+        for (const FilmPart& node : part->film().contents().parts) add_part(parts, node);
+        options.samples = 500;
+        if (end == 500) CHECK(same_sums(part->film().contents().block, expected.block));
+    }
+    FilmContents added = expected;
+    added.parts = parts;
+    CHECK(difference(added, expected) == "");
 }
 
 TEST_CASE("no wave size, chunk or number of samples in flight changes a byte of many samples") {

@@ -22,7 +22,9 @@ SRC_ARROWS = {
     "render": {"core", "image", "scene", "accel", "gpu", "upload", "shared"},
     "chapter": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
     "session": {"core", "image", "scene", "accel", "gpu", "upload", "render", "chapter", "shared"},
-    "app": {"core", "image", "scene", "accel", "gpu", "upload", "render", "chapter", "session", "shared"},
+    "doctor": {"core", "image", "scene", "accel", "gpu", "upload", "render", "chapter", "session", "shared",
+               "probe"},
+    "app": {"core", "image", "scene", "accel", "gpu", "upload", "render", "chapter", "session", "doctor", "shared"},
 }
 SHADE = {"shared", "math", "trace", "shade"}
 ESTIMATORS = {"path", "light_tracing", "chapter"}

@@ -1,6 +1,6 @@
 #include "app/devices_command.h"
 
-#include "app/json.h"
+#include "app/device_report.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "session/machine.h"
@@ -16,20 +16,8 @@ namespace {
 using gpu::DeviceFacts;
 using gpu::PlatformReport;
 
-const char* device_type(const DeviceFacts& facts) {
-    if (facts.is_gpu) return "gpu";
-    return facts.is_cpu ? "cpu" : "accelerator";
-}
-
-std::string gibibytes(uint64_t bytes) {
-    return fmt::format("{:.1f} GiB", double(bytes) / double(uint64_t(1) << 30));
-}
-
 void print_device(const DeviceFacts& facts, size_t index, bool is_default) {
-    fmt::print("{} {}  {}  {}, {} units, {}, largest buffer {}, driver {}\n",
-               is_default ? '*' : ' ', index, facts.name, device_type(facts), facts.compute_units,
-               gibibytes(facts.global_memory), gibibytes(facts.max_allocation),
-               facts.driver_version);
+    fmt::print("{} {}  {}\n", is_default ? '*' : ' ', index, device_text(facts));
     if (!facts.problem.empty()) fmt::print("     cannot be used: {}\n", facts.problem);
 }
 
@@ -48,21 +36,10 @@ void print_table(const std::vector<PlatformReport>& platforms) {
     if (by_default) fmt::print("* is used unless --device or ONDE_DEVICE names another\n");
 }
 
-Json problem_json(const std::string& problem) {
-    return problem.empty() ? Json(nullptr) : Json(problem);
-}
-
-Json device_json(const DeviceFacts& facts, size_t index, bool is_default) {
-    return {{"index", index},
-            {"default", is_default},
-            {"name", facts.name},
-            {"vendor", facts.vendor},
-            {"type", device_type(facts)},
-            {"units", facts.compute_units},
-            {"memory_bytes", facts.global_memory},
-            {"largest_buffer_bytes", facts.max_allocation},
-            {"driver", facts.driver_version},
-            {"problem", problem_json(facts.problem)}};
+Json indexed_json(const DeviceFacts& facts, size_t index, bool is_default) {
+    Json device{{"index", index}, {"default", is_default}};
+    device.update(device_json(facts));
+    return device;
 }
 
 void print_json(const std::vector<PlatformReport>& platforms) {
@@ -72,7 +49,7 @@ void print_json(const std::vector<PlatformReport>& platforms) {
     for (const PlatformReport& platform : platforms) {
         Json devices = Json::array();
         for (const DeviceFacts& facts : platform.devices) {
-            devices.push_back(device_json(facts, index, index == by_default));
+            devices.push_back(indexed_json(facts, index, index == by_default));
             ++index;
         }
         all.push_back({{"name", platform.name},

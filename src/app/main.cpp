@@ -2,6 +2,7 @@
 #include "app/cache_command.h"
 #include "app/compare_command.h"
 #include "app/devices_command.h"
+#include "app/doctor_command.h"
 #include "app/gallery_command.h"
 #include "app/info_command.h"
 #include "app/inspect_command.h"
@@ -21,7 +22,7 @@
 
 namespace {
 
-enum ExitCode { SUCCESS = 0, WRONG_INPUT = 2, NO_DEVICE = 3 };
+enum ExitCode { SUCCESS = 0, CHECK_FAILED = 1, WRONG_INPUT = 2, NO_DEVICE = 3 };
 
 int fail(ExitCode code, const char* sentence) {
     std::fprintf(stderr, "onde: %s\n", onde::printable_lines(sentence).c_str());
@@ -39,7 +40,7 @@ int main(int argc, char** argv) try {
                            ONDE_VERSION);
     onde::Command root = line.root();
     root.require_command();
-    bool interrupted = false;
+    bool interrupted = false, unfit = false;
     onde::app::add_render_command(root, interrupted);
     onde::app::add_info_command(root);
     onde::app::add_reference_command(root);
@@ -49,11 +50,13 @@ int main(int argc, char** argv) try {
     onde::app::add_thumbnail_command(root, interrupted);
     onde::app::add_compare_command(root);
     onde::app::add_devices_command(root);
+    onde::app::add_doctor_command(root, unfit, interrupted);
     onde::app::add_cache_command(root);
     line.run(argc, argv);
     if (std::fflush(stdout) != 0) // a full disk behind it, for example
         return fail(WRONG_INPUT, "standard output could not be written");
-    return interrupted ? onde::app::StopOnInterrupt::exit_code() : SUCCESS;
+    if (interrupted) return onde::app::StopOnInterrupt::exit_code();
+    return unfit ? CHECK_FAILED : SUCCESS;
 } catch (const onde::InputError& error) {
     return fail(WRONG_INPUT, error.what());
 } catch (const onde::DeviceError& error) {

@@ -19,53 +19,20 @@ double albedo(const Surface& surface, const Column& value) {
     return integrate(value, [&](glm::vec3 wi) { return wi.z < 0 ? eta2 : 1.0; });
 }
 
-/// Not quite to the horizon.
-std::vector<glm::vec3> directions_above(Generator& generator, size_t count) {
-    std::vector<glm::vec3> directions = unit_vectors(generator, count);
-    for (glm::vec3& v : directions) v = glm::normalize(glm::vec3(v.x, v.y, std::abs(v.z) + 0.01f));
-    return directions;
-}
-
-/// glTF 2.0, appendix B: GGX with height-correlated masking over Lambert, of which the dielectric
-/// half lets a part through; times cosine.
-glm::dvec3 mix_value(const Surface& surface, glm::dvec3 wo, glm::dvec3 wi) {
-    const glm::dvec3 h = glm::normalize(wo + wi), f0(surface.f0), white(surface.f90);
-    const double a2 = std::pow(double(surface.alpha), 2);
-    const double d = a2 / (M_PI * std::pow(h.z * h.z * (a2 - 1) + 1, 2));
-    const auto root = [&](double c) { return std::sqrt(a2 + (1 - a2) * c * c); };
-    const double visibility = 0.5 / (wi.z * root(wo.z) + wo.z * root(wi.z));
-    const double grazing = std::pow(1 - glm::dot(wo, h), 5);
-    const glm::dvec3 fresnel = f0 + (white - f0) * grazing;
-    const double through = 1 - double(surface.f90) * (0.04 + 0.96 * grazing);
-    return (through * glm::dvec3(surface.diffuse) / M_PI + fresnel * d * visibility) * wi.z;
-}
-
 } // namespace
 
 TEST_CASE("BSDF samples are distributed as their pdf") {
     constexpr size_t COUNT = 1 << 17;
     const double significance = 1e-4 / double(rough_surfaces().size() * outgoing().size());
-    const SphereBins bins = quadrature().bins;
     uint32_t seed = 1;
     for (const Surface& surface : rough_surfaces())
         for (glm::vec3 wo : outgoing()) {
             INFO(surface.name << ", cosine " << wo.z);
-            std::vector<double> expected(bins.size()), observed(bins.size());
-            const Column pdf = evaluate_sphere(surface, wo).pdf;
             double total = 0;
-            for (size_t i = 0; i < pdf.size(); i++) {
-                const double share = double(pdf[i]) * quadrature().weights[i];
-                expected[quadrature().bin[i]] += COUNT * share;
-                total += share;
-            }
+            CHECK(distribution_failure(quadrature(), evaluate_sphere(surface, wo).pdf,
+                                       sample(surface, wo, COUNT, seed++), significance,
+                                       total) == "");
             CHECK(total < 1 + 1e-3);
-            expected[bins.nowhere()] = COUNT * std::max(1 - total, 0.0);
-            const Samples samples = sample(surface, wo, COUNT, seed++);
-            for (size_t i = 0; i < COUNT; i++) {
-                const glm::vec3 wi = samples.wi[i];
-                observed[samples.valid[i] != 0 ? bins.find(wi.x, wi.y, wi.z) : bins.nowhere()]++;
-            }
-            CHECK(chi_square_failure(observed, expected, significance) == "");
         }
 }
 

@@ -1,12 +1,12 @@
 // Reflectances against closed forms.
+#include "doctor/exact.h"
 #include "kernels/columns.h"
 
 #include <catch2/catch.hpp>
 
-#include <complex>
-
 using namespace onde;
 using namespace onde::test;
+using doctor::reflectance;
 
 namespace {
 
@@ -23,16 +23,6 @@ Column cosines() {
     Column column;
     for (int i = 0; i <= 1000; i++) column.push_back(float(i) / 1000);
     return column;
-}
-
-/// Born and Wolf, Principles of Optics, section 1.5.2, with complex numbers so that total
-/// reflection needs no case of its own.
-double reflectance(double cosine, double eta) {
-    using Complex = std::complex<double>;
-    const Complex below = std::sqrt(Complex(1 - (1 - cosine * cosine) / (eta * eta)));
-    const Complex p = (eta * cosine - below) / (eta * cosine + below);
-    const Complex s = (cosine - eta * below) / (cosine + eta * below);
-    return (std::norm(p) + std::norm(s)) / 2;
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // Elementary functions against double precision, with the error bounds that they state.
+#include "doctor/exact.h"
 #include "kernels/columns.h"
 #include "upload/octahedral.h"
 
@@ -6,6 +7,7 @@
 
 using namespace onde;
 using namespace onde::test;
+using doctor::turns_of;
 
 namespace {
 
@@ -14,11 +16,6 @@ constexpr size_t COUNT = 1 << 16;
 Probe& probe() {
     static Probe built("basics.cl", 1, {"math", "powers", "basis"});
     return built;
-}
-
-double turns_of(double y, double x) {
-    const double turns = std::atan2(y, x) / (2 * M_PI);
-    return turns < 0 ? turns + 1 : turns;
 }
 
 } // namespace

@@ -11,10 +11,6 @@ using namespace onde::test;
 
 namespace {
 
-struct Points {
-    Column x, y;
-};
-
 Probe& probe() {
     static Probe built("basics.cl", 1, {"random"});
     return built;
@@ -64,23 +60,6 @@ double correlation(const Column& a, const Column& b) {
         bb += (b[i] - mean_b) * (b[i] - mean_b);
     }
     return ab / std::sqrt(aa * bb);
-}
-
-/// The first of the elementary intervals of area 1 / count that does not hold one point.
-std::string find_uneven_interval(const Points& points, uint32_t log2_count) {
-    const uint32_t count = 1u << log2_count;
-    for (uint32_t a = 0; a <= log2_count; a++) {
-        const uint32_t columns = 1u << a, rows = count / columns;
-        std::vector<int> found(count);
-        for (uint32_t i = 0; i < count; i++)
-            found[uint32_t(points.y[i] * float(rows)) * columns +
-                  uint32_t(points.x[i] * float(columns))]++;
-        for (uint32_t i = 0; i < count; i++)
-            if (found[i] != 1)
-                return fmt::format("{} points in interval ({}, {}) of {} x {}", found[i],
-                                   i % columns, i / columns, columns, rows);
-    }
-    return {};
 }
 
 const std::vector<uint32_t> PIXELS{0, 1, 5 | 7 << 16, 1919 | 1079u << 16, 0xffffffffu};

@@ -1,66 +1,25 @@
-// Probes of kernels/probe/scene.cl over a small scene.
+// Probes of kernels/probe/scene.cl over a small scene, on the tests' device.
 #pragma once
 
+#include "doctor/scene_probe.h"
 #include "kernels/columns.h"
-#include "render/frame.h"
-#include "upload/device_scene.h"
 
 namespace onde::test {
 
-/// A scene on the device, with the frame of its first camera.
-struct SceneOnDevice {
-    DeviceScene scene;
-    gpu::Buffer<FrameRecord> frame{device(), 1};
+using doctor::add_triangle;
+using doctor::scene_with_a_speck;
 
+class SceneOnDevice : public doctor::SceneOnDevice {
+  public:
     explicit SceneOnDevice(const Scene& description, const RenderOptions& options = {})
-        : scene(device(), pack_scene(description)) {
-        const Camera camera = description.cameras.empty() ? Camera{} : description.cameras[0];
-        const FrameRecord record = make_frame(scene.packed(), camera, options);
-        frame.write(device(), std::span(&record, 1));
-    }
+        : doctor::SceneOnDevice(device(), description, options) {}
 };
 
-class SceneProbe {
+class SceneProbe : public doctor::SceneProbe {
   public:
     SceneProbe(const Scene& description, const std::vector<std::string>& names, uint32_t width = 1,
                const RenderOptions& options = {})
-        : world_(description, options),
-          probe_("scene.cl", width, names, world_.scene.packed().features.defines(),
-                 {layout_file(world_.scene.packed().features.layout)}) {}
-
-    const PackedScene& packed() const { return world_.scene.packed(); }
-
-    /// See Probe::run().
-    Columns run(const std::string& name, const Columns& in, size_t words) {
-        return probe_.run(name, in, words, [&](gpu::Kernel& kernel, uint32_t next) {
-            kernel.set(next, world_.frame);
-            return world_.scene.bind(kernel, next + 1);
-        });
-    }
-
-  private:
-    SceneOnDevice world_;
-    Probe probe_;
+        : doctor::SceneProbe(programs(), description, names, width, options) {}
 };
-
-/// Adds a triangle of its own mesh, counter-clockwise from its front.
-inline void add_triangle(Scene& scene, glm::vec3 a, glm::vec3 b, glm::vec3 c, Material material) {
-    Mesh mesh;
-    mesh.positions = {a, b, c};
-    mesh.triangles = {glm::uvec3(0, 1, 2)};
-    mesh.materials = {uint32_t(scene.materials.size())};
-    scene.materials.push_back(std::move(material));
-    Instance instance;
-    instance.mesh = uint32_t(scene.meshes.size());
-    scene.meshes.push_back(std::move(mesh));
-    scene.instances.push_back(instance);
-}
-
-/// A scene with something in it, far below everything.
-inline Scene scene_with_a_speck() {
-    Scene scene;
-    add_triangle(scene, {0, -1000, 0}, {0, -1000, 1}, {1, -1000, 0}, {});
-    return scene;
-}
 
 } // namespace onde::test

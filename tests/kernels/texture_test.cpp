@@ -1,63 +1,19 @@
 // Bilinear lookups against double precision, at every wrap mode and across the borders.
+#include "doctor/exact.h"
+#include "doctor/textured_scene.h"
 #include "kernels/scene_probe.h"
 
 #include <catch2/catch.hpp>
 
 using namespace onde;
 using namespace onde::test;
+using doctor::look_up;
+using doctor::textured_scene;
+using doctor::wrap_index;
 
 namespace {
 
 constexpr size_t COUNT = 1 << 14;
-const Wrap WRAPS[] = {Wrap::repeat, Wrap::clamp, Wrap::mirror};
-
-/// Textures 3 u + v have wrap modes u and v, and sizes of their own; the last one is one texel.
-Scene textured_scene() {
-    Generator generator(51);
-    Scene scene = scene_with_a_speck();
-    for (uint32_t i = 0; i < 10; i++) {
-        Texture texture;
-        texture.image.width = i < 9 ? 2 + i % 4 : 1;
-        texture.image.height = i < 9 ? 1 + i / 2 : 1;
-        texture.image.rgba.resize(4 * texture.image.width * texture.image.height);
-        for (uint8_t& byte : texture.image.rgba) byte = uint8_t(generator());
-        texture.wrap_u = WRAPS[i / 3 % 3];
-        texture.wrap_v = WRAPS[i % 3];
-        scene.textures.push_back(texture);
-    }
-    return scene;
-}
-
-size_t wrap_index(int64_t i, int64_t size, Wrap wrap) {
-    const auto modulo = [](int64_t a, int64_t n) { return (a % n + n) % n; };
-    if (wrap == Wrap::repeat) return size_t(modulo(i, size));
-    if (wrap == Wrap::clamp) return size_t(std::clamp(i, int64_t(0), size - 1));
-    const int64_t folded = modulo(i, 2 * size);
-    return size_t(folded < size ? folded : 2 * size - 1 - folded);
-}
-
-double linear(uint32_t sample, bool color) {
-    const double c = sample / 65535.0;
-    if (!color) return c;
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-
-double look_up(const Texture& texture, double u, double v, size_t channel, bool color) {
-    const ByteImage& image = texture.image;
-    const double x = u * image.width - 0.5, y = v * image.height - 0.5;
-    const auto x0 = int64_t(std::floor(x)), y0 = int64_t(std::floor(y));
-    double sum = 0;
-    for (int64_t j = 0; j < 2; j++)
-        for (int64_t i = 0; i < 2; i++) {
-            const double weight = (1 - std::abs(x - double(x0 + i))) * //
-                                  (1 - std::abs(y - double(y0 + j)));
-            const size_t column = wrap_index(x0 + i, image.width, texture.wrap_u);
-            const size_t row = wrap_index(y0 + j, image.height, texture.wrap_v);
-            sum += weight * linear(image.wide(4 * (row * image.width + column) + channel), color);
-        }
-    return sum;
-}
-
 /// Against double precision.
 void check_look_ups(const Scene& scene, uint32_t width = 1, double bound = 5e-6) {
     SceneProbe probe(scene, {"texture"}, width);

@@ -1,4 +1,5 @@
 // Pictures whose every pixel is known: furnaces, and a floor under simple lights.
+#include "doctor/furnaces.h"
 #include "render/picture.h"
 
 #include <cmath>
@@ -7,24 +8,14 @@
 namespace onde::test {
 namespace {
 
+using doctor::add_square_light;
+using doctor::furnace;
+using doctor::irradiance_below_square;
+
 constexpr float PI = std::numbers::pi_v<float>;
 
 Material material_of(MaterialKind kind, float color, float roughness = 1) {
-    Material material;
-    material.kind = kind;
-    material.base_color = glm::vec3(color);
-    material.roughness = roughness;
-    return material;
-}
-
-/// A unit sphere of one material that fills the middle of the picture, in a uniform white world.
-Scene furnace(const Material& material) {
-    Scene scene;
-    scene.materials = {material};
-    scene.spheres = {{glm::vec3(0), 1.0f, 0}};
-    scene.environment.radiance = glm::vec3(1);
-    scene.cameras = {camera_at({0, 0, 4}, {0, 0, 0}, 0.4f)};
-    return scene;
+    return doctor::furnace_material(kind, glm::vec3(color), roughness);
 }
 
 struct Statistics {
@@ -40,42 +31,11 @@ Statistics statistics(const Image& image) {
     return s;
 }
 
-/// A diffuse floor y = 0 of albedo 0.5 seen from straight above through a narrow lens at the
-/// origin.
+/// From straight above.
 Scene floor_seen_from_above() {
-    Scene scene;
-    scene.materials = {material_of(MaterialKind::diffuse, 0.5f)};
-    Mesh floor;
-    floor.positions = {{-60, 0, -50}, {0, 0, 90}, {60, 0, -50}};
-    floor.triangles = {{0, 1, 2}};
-    floor.materials = {0};
-    scene.meshes = {floor};
-    scene.instances = {{0, glm::mat4(1)}};
+    Scene scene = doctor::floor_seen_from_above(0.5f);
     scene.cameras = {camera_at({0, 1, 0}, {0, 0, 0}, 0.002f)};
     return scene;
-}
-
-void add_square_light(Scene& scene, float half, float height, float radiance) {
-    Material light = material_of(MaterialKind::diffuse, 0);
-    light.emission = glm::vec3(radiance);
-    light.two_sided = false;
-    scene.materials.push_back(light);
-    const auto material = uint32_t(scene.materials.size() - 1);
-    Mesh square; // its front looks down
-    square.positions = {
-        {-half, height, -half}, {half, height, -half}, {half, height, half}, {-half, height, half}};
-    square.triangles = {{0, 1, 2}, {0, 2, 3}};
-    square.materials = {material, material};
-    scene.meshes.push_back(square);
-    scene.instances.push_back({uint32_t(scene.meshes.size() - 1), glm::mat4(1)});
-}
-
-/// Irradiance at the foot of the axis of a square light (Siegel and Howell, Thermal Radiation Heat
-/// Transfer, configuration 3: four corner-to-point factors).
-double irradiance_below_square(double half, double height, double radiance) {
-    const double a = half / height;
-    const double corner = a / std::sqrt(1 + a * a) * std::atan(a / std::sqrt(1 + a * a)) / PI;
-    return 4 * corner * PI * radiance;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // A scene rendered on the tests' device, in one call.
 #pragma once
 
+#include "doctor/furnaces.h"
 #include "scene/load.h"
 #include "session/integrators.h"
 #include "session/session.h"
@@ -15,6 +16,8 @@
 #include <vector>
 
 namespace onde::test {
+
+using doctor::camera_at;
 
 struct Picture {
     Image image;
@@ -106,18 +109,6 @@ inline std::vector<std::filesystem::path> project_scenes() {
             scenes.push_back(entry.path());
     std::ranges::sort(scenes);
     return scenes;
-}
-
-/// A camera at `position` that looks at `target` with +Y up (or +Z where it looks along Y).
-inline Camera camera_at(glm::vec3 position, glm::vec3 target, float vertical_fov) {
-    const glm::vec3 back = glm::normalize(position - target);
-    const glm::vec3 up = std::abs(back.y) > 0.99f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-    const glm::vec3 right = glm::normalize(glm::cross(up, back));
-    Camera camera;
-    camera.camera_to_world = glm::mat4(glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0),
-                                       glm::vec4(back, 0), glm::vec4(position, 1));
-    camera.vertical_fov = vertical_fov;
-    return camera;
 }
 
 } // namespace onde::test

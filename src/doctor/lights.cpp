@@ -1,0 +1,190 @@
+// Lights of every type: how often each is chosen, where it is sampled, and the density with which
+// a ray finds it.
+#include "doctor/checks.h"
+#include "doctor/light_rig.h"
+#include "doctor/sky_rig.h"
+#include "doctor/tally.h"
+#include "gpu/settings.h"
+#include "upload/layout_choice.h"
+
+namespace onde::doctor {
+
+namespace {
+
+using namespace lights;
+
+/// How the scenes of this check are probed.
+struct Probes {
+    const CheckContext& context;
+    size_t count; ///< of samples
+
+    SceneProbe of(const Scene& scene, const std::vector<std::string>& names) const {
+        return SceneProbe(context.programs, scene, names,
+                          gpu::default_settings(context.facts()).width, {},
+                          {.layout = known_layout(context.facts())});
+    }
+};
+
+void expect_found(Tally& tally, SceneProbe& probe, const LightSamples& samples, glm::vec3 from,
+                  const char* of) {
+    size_t found = 0;
+    tally.expect_none(found_pdf_failure(probe, samples, from, 1e-4, found), of);
+    tally.expect(found + samples.pdf.size() / 1000 + 1 >= samples.pdf.size(), [&] {
+        return fmt::format("{}: {} of {} rays to samples find it", of, found, samples.pdf.size());
+    });
+}
+
+void check_triangle(Tally& tally, const Probes& probes) {
+    SceneProbe probe = probes.of(triangle_scene(), {"light_sample", "surface"});
+    for (const glm::vec3 from : {glm::vec3(0), glm::vec3(0.2f, 1.5f, 0.3f)}) {
+        const LightSamples samples = sample(probe, from, probes.count);
+        const auto [angle, deviation] = integrate(samples, [](glm::vec3) { return 1.0; });
+        tally.expect_near(angle, solid_angle(TRIANGLE, from), 5 * deviation + 1e-4,
+                          "the solid angle of a triangle light");
+        const auto [cosine, spread] = integrate(samples, [](glm::vec3 d) { return double(d.y); });
+        tally.expect_near(cosine, projected_solid_angle(TRIANGLE, from), 5 * spread + 1e-4,
+                          "the cosine over a triangle light");
+        expect_found(tally, probe, samples, from, "a triangle light");
+    }
+}
+
+void check_sphere(Tally& tally, const Probes& probes) {
+    SceneProbe probe = probes.of(sphere_scene(true), {"light_sample", "surface"});
+    for (const glm::vec3 from : {glm::vec3(0), glm::vec3(1, 2, 3.8f)}) {
+        const LightSamples samples = sample(probe, from, probes.count);
+        const glm::dvec3 to = glm::dvec3(1, 2, 3) - glm::dvec3(from);
+        const double sine2 = 0.75 * 0.75 / glm::dot(to, to);
+        const double opening = sine2 / (1 + std::sqrt(1 - sine2));
+        const auto [angle, deviation] = integrate(samples, [](glm::vec3) { return 1.0; });
+        tally.expect_near(angle, 2 * M_PI * opening, 1e-4 * angle,
+                          "the solid angle of a sphere light");
+        double sum = 0; // the cosine to the centre is uniform in [1 - opening, 1]
+        for (const glm::vec3 d : samples.direction)
+            sum += 1 - glm::dot(glm::dvec3(d), glm::normalize(to));
+        const double mean = sum / double(probes.count);
+        tally.expect_near(mean, opening / 2,
+                          opening / 2 * 5 / std::sqrt(3.0 * double(probes.count)) + 2e-7,
+                          "the mean angle to a sphere light");
+        expect_found(tally, probe, samples, from, "a sphere light");
+    }
+    const glm::vec3 inside(1.2f, 2.1f, 2.6f);
+    const LightSamples samples = sample(probe, inside, probes.count);
+    for (size_t i = 0; i < probes.count; i++)
+        tally.expect_near(samples.pdf[i], 0.25 / M_PI, 1e-6, "the density inside a sphere light");
+    expect_found(tally, probe, samples, inside, "a sphere light seen from inside");
+}
+
+/// The choice says which light: what has no geometry is told apart by what it sends.
+void check_choice(Tally& tally, const Probes& probes) {
+    Scene scene;
+    constexpr size_t LIGHTS = 7;
+    for (size_t i = 0; i < LIGHTS; i++) { // told apart by their red
+        const auto x = float(i);
+        add_triangle(scene, {x, 5, 0}, {x + 0.5f, 5, 0}, {x, 5, 0.5f},
+                     emitter(i == 3 ? 50.0f : 1 + x));
+    }
+    SceneProbe probe = probes.of(scene, {"light_sample"});
+    const LightSamples samples = sample(probe, {3, 0, 0}, probes.count);
+    std::vector<double> observed(LIGHTS), expected;
+    for (const glm::vec3 radiance : samples.radiance) {
+        const size_t light = radiance.x == 50.0f ? 3 : size_t(radiance.x) - 1;
+        if (light < LIGHTS) observed[light]++;
+    }
+    double total = 0;
+    for (const LightRecord& light : probe.packed().lights) {
+        expected.push_back(double(probes.count) * double(light.pmf));
+        total += double(light.pmf);
+    }
+    tally.expect_near(total, 1, 1e-6, "the sum of the lights' probabilities");
+    tally.expect_none(chi_square_failure(observed, expected, 1e-6), "the choice among lights");
+}
+
+/// All types side by side: each is chosen, and those that rays find are found with the density of
+/// the choice and of the sample.
+void check_every_type(Tally& tally, const Probes& probes) {
+    const Scene scene = every_light();
+    SceneProbe probe = probes.of(scene, {"light_sample", "surface"});
+    const LightSamples samples = sample(probe, {0, 0, 0}, probes.count);
+    const std::vector<LightRecord>& lights = probe.packed().lights;
+    double far = 0, near = 0;
+    for (size_t i = 0; i < probes.count; i++) {
+        tally.expect(samples.pdf[i] > 0,
+                     [&] { return fmt::format("sample {} has no density", i); });
+        (samples.distance[i] > 1e20f ? far : near) += samples.delta[i];
+    }
+    const double count = double(probes.count), margin = 5 * 0.5 / std::sqrt(count);
+    tally.expect_near(near / count, lights[LIGHT_POINT].pmf + lights[LIGHT_SPOT].pmf, margin,
+                      "the share of point and spot lights");
+    tally.expect_near(far / count, lights[LIGHT_DIRECTIONAL].pmf, margin,
+                      "the share of directional lights");
+    size_t found = 0;
+    tally.expect_none(found_pdf_failure(probe, samples, {0, 0, 0}, 1e-4, found),
+                      "lights of all types");
+}
+
+/// What a light without geometry sends to a point.
+void check_delta(Tally& tally, const Probes& probes) {
+    Scene scene = scene_with_a_speck();
+    scene.point_lights.push_back({{0, 4, 3}, {10, 20, 30}});
+    SceneProbe point = probes.of(scene, {"light_sample"});
+    const LightSamples near = sample(point, {0, 0, 0}, 16);
+    tally.expect_near(near.distance[0], 5, 1e-5, "the distance of a point light");
+    tally.expect_near(near.radiance[0].x, 0.4, 1e-6, "what a point light sends");
+    tally.expect_near(near.direction[0].y, 0.8, 1e-6, "the way to a point light");
+
+    Scene lamp = scene_with_a_speck();
+    SpotLight spot{{0, 0, 0}, {0, 0, -1}, glm::vec3(8)};
+    spot.half_angle = 0.6f;
+    spot.inner_angle = 0.2f;
+    lamp.spot_lights.push_back(spot);
+    SceneProbe cone = probes.of(lamp, {"light_sample"});
+    const auto at = [&](float angle) {
+        return sample(cone, 2.0f * glm::vec3(std::sin(angle), 0, std::cos(angle)), 16);
+    };
+    tally.expect_near(at(0.1f).radiance[0].x, 2, 2e-4, "what a spot light sends within");
+    const double line = (std::cos(0.4) - std::cos(0.6)) / (std::cos(0.2) - std::cos(0.6));
+    tally.expect_near(at(0.4f).radiance[0].x, 2 * line * line, 2e-3,
+                      "what a spot light sends toward its rim");
+    tally.expect_near(at(0.62f).valid[0], 0, 0, "whether a spot light shines beside its cone");
+
+    Scene sunny = scene_with_a_speck();
+    sunny.directional_lights.push_back({{0, 0.8f, 0.6f}, {1, 2, 3}});
+    SceneProbe sun = probes.of(sunny, {"light_sample"});
+    const LightSamples far = sample(sun, {100, -5, 2}, 16);
+    tally.expect_near(far.direction[0].y, 0.8, 1e-6, "the way to a directional light");
+    tally.expect_near(far.radiance[0].z, 3, 0, "what a directional light sends");
+}
+
+void check_sky(Tally& tally, const Probes& probes) {
+    for (const float rotation : {0.0f, 2.0f}) {
+        SceneProbe probe = probes.of(sky::make_sky(rotation), {"environment"});
+        tally.expect_near(sky::integral_of_pdf(probe, rotation), 1, 2e-4,
+                          "the integral of the environment's density");
+        tally.expect_none(sky::distribution_failure(probe, rotation, 4 * probes.count, 1e-6),
+                          fmt::format("an environment turned by {} radians", rotation));
+        std::vector<glm::vec3> middles;
+        for (uint32_t i = 0; i < sky::WIDTH * sky::HEIGHT; i++)
+            middles.emplace_back(sky::direction_of((i % sky::WIDTH + 0.5) / sky::WIDTH,
+                                                   (i / sky::WIDTH + 0.5) / sky::HEIGHT, rotation));
+        const Column red = sky::look(probe, middles)[5];
+        const Image map = *sky::make_sky().environment.map;
+        for (size_t i = 0; i < red.size(); i++) // rounding moves a little of a neighbour in
+            tally.expect_near(red[i], 2 * double(map.pixels[3 * i]), 0.02, "a pixel of the sky");
+    }
+}
+
+} // namespace
+
+Finding check_lights(const CheckContext& context) {
+    const Probes probes{context, context.quick ? size_t(1) << 12 : size_t(1) << 15};
+    Tally tally;
+    check_triangle(tally, probes);
+    check_sphere(tally, probes);
+    check_choice(tally, probes);
+    check_every_type(tally, probes);
+    check_delta(tally, probes);
+    check_sky(tally, probes);
+    return tally.finding("tests fail");
+}
+
+} // namespace onde::doctor

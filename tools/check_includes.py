@@ -18,13 +18,15 @@ SRC_ARROWS = {
     "scene": {"core", "image"},
     "accel": {"core", "shared"},
     "gpu": {"core", "shared"},
+    "denoise": {"core", "image", "gpu", "shared"},
     "upload": {"core", "image", "scene", "accel", "gpu", "shared"},
     "render": {"core", "image", "scene", "accel", "gpu", "upload", "shared"},
     "chapter": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
-    "session": {"core", "image", "scene", "accel", "gpu", "upload", "render", "chapter", "shared"},
-    "doctor": {"core", "image", "scene", "accel", "gpu", "upload", "render", "chapter", "session", "shared",
+    "session": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "chapter", "shared"},
+    "doctor": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "chapter", "session", "shared",
                "probe"},
-    "app": {"core", "image", "scene", "accel", "gpu", "upload", "render", "chapter", "session", "doctor", "shared"},
+    "app": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "chapter", "session", "doctor",
+            "shared"},
 }
 SHADE = {"shared", "math", "trace", "shade"}
 ESTIMATORS = {"path", "light_tracing", "chapter"}
@@ -34,6 +36,7 @@ KERNEL_ARROWS = {
     "trace": {"shared", "math"},
     "shade": {"shared", "math", "trace"},
     "film": {"shared", "math"},
+    "denoise": {"shared", "math"},
     "path": SHADE | {"film"},
     "light_tracing": SHADE | {"film"},
     "chapter": SHADE | {"film"},

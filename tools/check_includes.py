@@ -21,11 +21,12 @@ SRC_ARROWS = {
     "denoise": {"core", "image", "gpu", "shared"},
     "upload": {"core", "image", "scene", "accel", "gpu", "shared"},
     "render": {"core", "image", "scene", "accel", "gpu", "upload", "shared"},
+    "film": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
     "chapter": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
-    "session": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "chapter", "shared"},
-    "doctor": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "chapter", "session", "shared",
+    "session": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "film", "chapter", "shared"},
+    "doctor": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "film", "chapter", "session", "shared",
                "probe"},
-    "app": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "chapter", "session", "doctor",
+    "app": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "film", "chapter", "session", "doctor",
             "shared"},
 }
 SHADE = {"shared", "math", "trace", "shade"}
@@ -49,8 +50,8 @@ KERNEL_ARROWS = {
 
 # System headers that only some places may see: pattern, who may, why.
 DOORS = [
-    (re.compile(r"CL/"), re.compile(r"src/(gpu|upload|render|chapter)/"), "OpenCL is for gpu, upload, render, chapter"),
-    (re.compile(r"png\.h|jpeglib|webp/|tiffio|Imf|stb/|stored_image"), re.compile(r"src/image/"), "pictures are for image_io.h"),
+    (re.compile(r"CL/"), re.compile(r"src/(gpu|upload|render|film|chapter)/"), "OpenCL is for gpu, upload, render, film, chapter"),
+    (re.compile(r"png\.h|jpeglib|webp/|tiffio|Imf|openexr\.h|stb/|stored_image"), re.compile(r"src/image/"), "pictures are for image_io.h"),
     (re.compile(r"CLI/"), re.compile(r"src/core/command_line\.cpp"), "only command_line.cpp opens it"),
     (re.compile(r"embree"), re.compile(r"^$"), "Embree is an oracle for tests, not for the renderer"),
 ]

@@ -3,10 +3,12 @@
 #include "app/compare_command.h"
 #include "app/devices_command.h"
 #include "app/doctor_command.h"
+#include "app/film_command.h"
 #include "app/gallery_command.h"
 #include "app/info_command.h"
 #include "app/inspect_command.h"
 #include "app/interrupt.h"
+#include "app/merge_command.h"
 #include "app/reference_command.h"
 #include "app/render_command.h"
 #include "app/thumbnail_command.h"
@@ -42,6 +44,8 @@ int main(int argc, char** argv) try {
     root.require_command();
     bool interrupted = false, unfit = false;
     onde::app::add_render_command(root, interrupted);
+    onde::app::add_merge_command(root);
+    onde::app::add_film_command(root);
     onde::app::add_info_command(root);
     onde::app::add_reference_command(root);
     onde::app::add_inspect_command(root);

@@ -13,10 +13,12 @@ void tell_kernels(const Session& session, const gpu::BuildReport& kernels) {
 }
 
 RenderOutcome render_until_done(Session& session, const std::string& name,
-                                const StopOnInterrupt& interrupt, bool quiet) {
+                                const StopOnInterrupt& interrupt, bool quiet,
+                                const std::function<void()>& meanwhile) {
     ProgressLine line(quiet, name);
     const RenderOutcome outcome = session.render([&](const Progress& progress) {
         line.show(progress);
+        if (meanwhile) meanwhile();
         return !interrupt.requested();
     });
     line.finish();

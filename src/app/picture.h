@@ -10,9 +10,10 @@ namespace onde::app {
 void tell_kernels(const Session& session, const gpu::BuildReport& kernels);
 
 /// Renders until the picture is done or an interrupt is requested; the progress is shown after
-/// `name`, where there is one.
+/// `name`, where there is one. Calls `meanwhile` a few times a second, between waves.
 RenderOutcome render_until_done(Session& session, const std::string& name,
-                                const StopOnInterrupt& interrupt, bool quiet);
+                                const StopOnInterrupt& interrupt, bool quiet,
+                                const std::function<void()>& meanwhile = {});
 
 /// What a file of the session's picture says about it. `hash` is that of the scene.
 ImageMetadata picture_metadata(const Session& session, const std::string& hash,

@@ -1,5 +1,6 @@
 #include "app/render_command.h"
 
+#include "app/film_keeper.h"
 #include "app/picture.h"
 #include "app/render_report.h"
 #include "app/sequence.h"
@@ -121,13 +122,16 @@ struct Work {
 void make_picture(Session& session, const Shot& shot, RenderReport report, const Timer& timer,
                   Work& work) {
     const RenderRequest& request = work.request;
+    FilmKeeper keeper(session, shot, request.checkpoint);
     report.kernels_before = session.kernel_times();
-    report.outcome = render_until_done(session, shot.name, work.interrupt, request.quiet);
+    report.outcome = render_until_done(session, shot.name, work.interrupt, request.quiet,
+                                       [&] { keeper.keep_if_due(); });
     tell_findings(session, report.outcome);
     work.interrupted = report.outcome.interrupted || report.outcome.samples == 0;
     if (report.outcome.samples == 0) return;
 
     const Timer writing;
+    work.outputs.attempt([&] { keeper.keep(); });
     write_all(shot.outputs, work.outputs, session, request, report);
     work.done += !work.interrupted;
     report.write_seconds = writing.seconds();

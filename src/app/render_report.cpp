@@ -26,7 +26,8 @@ std::string engine_name(const RenderOptions& options) {
 void print_rays(std::FILE* to, const RenderOptions& options, const RenderOutcome& outcome,
                 const RayCounts& rays) {
     const double seconds = std::max(outcome.seconds, 1e-9);
-    const double paths = double(options.width) * options.height * outcome.samples;
+    const Rectangle all{0, 0, options.width, options.height};
+    const double paths = double(options.rectangle.value_or(all).pixels()) * outcome.samples;
     fmt::print(to,
                "rays      {:.1f} M closest-hit, {:.1f} M shadow; {:.2f} Mrays/s, {:.2f} per path\n",
                mega(double(sum(rays.extension))), mega(double(sum(rays.shadow))),

@@ -1,5 +1,6 @@
 #include "app/render_request.h"
 
+#include "app/film_request.h"
 #include "app/sequence.h"
 
 #include "core/error.h"
@@ -68,6 +69,25 @@ void declare_picture(Command& command, RenderRequest& r) {
         {.value = "WORD", .delimiter = ',', .words = aov_words()});
     declare_display(command, r);
     command.flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
+}
+
+void declare_film(Command& command, RenderRequest& r) {
+    command.option("--film", &r.film,
+                   "Film file to write, .exr of 32 bits, to go on from or to join with others; at\n"
+                   "the end and when interrupted. Without -o there is no picture then",
+                   {.value = "FILE"});
+    command.option("--checkpoint", &r.checkpoint,
+                   "Write the film every so many seconds too, while the picture goes on",
+                   {.value = "SECONDS"});
+    command.option("--resume", &r.resume,
+                   "Go on from this film file; without --film that one is written again",
+                   {.value = "FILE"});
+    command.option("--samples", &r.sample_range,
+                   "Only samples A to B - 1 of the picture's --spp; multiples of 64, or its last",
+                   {.value = "A:B"});
+    command.option("--rectangle", &r.rectangle,
+                   "Only the pixels of this rectangle; the others stay black",
+                   {.value = "X,Y,W,H"});
 }
 
 void declare_estimator(Command& command, RenderRequest& r) {
@@ -191,6 +211,7 @@ void declare_options(Command& command, RenderRequest& request) {
     declare_load(command, request.load);
     declare_picture(command, request);
     declare_sequence(command, request);
+    declare_film(command, request);
     declare_estimator(command, request);
     declare_engine(command, request);
     declare_machine(command, request.machine);
@@ -227,6 +248,7 @@ Scene load_requested_scene(const RenderRequest& request) {
 void check_request(const RenderRequest& r) {
     if (!r.size.empty()) parse_size(r.size);
     load_options(r.load);
+    check_film_request(r);
     // "nan" and "inf" are read as numbers.
     if (r.choices.seconds && !(*r.choices.seconds > 0 && std::isfinite(*r.choices.seconds)))
         throw InputError("--time {} is not a positive number of seconds", *r.choices.seconds);
@@ -255,6 +277,8 @@ void tell_note(const std::string& note) {
 Session open_session(Machine& machine, Scene scene, const RenderRequest& request,
                      const SessionExtras& extras) {
     RenderChoices choices = request.choices;
+    choices.sample_range = requested_samples(request);
+    choices.rectangle = requested_rectangle(request);
     if (!request.size.empty()) std::tie(choices.width, choices.height) = parse_size(request.size);
     for (const std::string& aov : request.aovs)
         if (const FilmChannel* channel = find_channel(aov); channel && channel->sums < AOV_COUNT)
@@ -295,7 +319,8 @@ bool is_exr(const std::filesystem::path& output) {
 
 std::vector<fs::path> named_outputs(const RenderRequest& request) {
     std::vector<fs::path> outputs = request.outputs;
-    if (outputs.empty()) outputs.push_back(request.scene.stem().string() + ".png");
+    if (outputs.empty() && film_path(request).empty())
+        outputs.push_back(request.scene.stem().string() + ".png");
     for (const fs::path& path : outputs) {
         if (is_standard_output(path) && !request.aovs.empty())
             throw InputError("--aov needs a file to name its pictures after; give one with -o");

@@ -44,6 +44,9 @@ struct RenderRequest {
     bool full_float = false;
     std::filesystem::path json;
     std::optional<uint32_t> turntable; ///< pictures of a turn, from 1 on
+    std::filesystem::path film, resume; ///< film files: to write, to go on from; or empty
+    std::optional<double> checkpoint;   ///< seconds between two writes of the film
+    std::string sample_range, rectangle; ///< FIRST:END and X,Y,WIDTH,HEIGHT, or empty
     std::string frames;                ///< of an animation, FIRST:LAST, or empty
     std::optional<double> frames_a_second;
     bool stats = false, quiet = false;

@@ -1,5 +1,7 @@
 #include "app/sequence.h"
 
+#include "app/film_request.h"
+
 #include "core/error.h"
 #include "core/log.h"
 #include "core/output.h"
@@ -119,6 +121,7 @@ std::vector<Shot> resolve_shots(const RenderRequest& request) {
             all.push_back(shot.outputs.back());
         }
     check_outputs(all, request);
+    place_films(shots, request);
     return shots;
 }
 
@@ -139,6 +142,7 @@ void ShotSession::load(const Shot& shot, const std::vector<fs::path>& outputs) {
     if (shot.at) options_.at = shot.at;
     Scene scene = load_scene(request_.scene, options_);
     check_outputs_not_read(outputs, request_, scene);
+    if (!shot.film.empty()) check_not_read(shot.film, scene.files);
     load_seconds_ += timer.seconds();
     const auto tell = [this](const std::string& note) {
         if (told_.insert(note).second) spdlog::info("{}", note);

@@ -19,6 +19,7 @@ struct Shot {
     double turn = 0;            ///< of the camera about the scene, radians
     std::optional<double> at{}; ///< seconds of the animation
     std::vector<std::filesystem::path> outputs{};
+    std::filesystem::path film{}, resume{}; ///< film files, or empty
 };
 
 /// Whether the request is of numbered pictures.

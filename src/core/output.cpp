@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -109,7 +110,8 @@ class Unfinished {
     explicit operator bool() const { return bool(file_); }
 
     /// Each returns false with errno set when it fails.
-    bool fill(std::string_view bytes) const;
+    bool write_at(uint64_t offset, std::string_view bytes) const;
+    bool is_stored(uint64_t bytes) const; ///< that many, on the disk
     bool replace(const fs::path& target);
     void resemble(const struct stat& old) const;
 
@@ -130,12 +132,15 @@ Unfinished::Unfinished(const fs::path& folder) {
     path_.clear();
 }
 
-bool Unfinished::fill(std::string_view bytes) const {
+bool Unfinished::write_at(uint64_t offset, std::string_view bytes) const {
+    return lseek(file_.get(), off_t(offset), SEEK_SET) >= 0 && write_all(file_.get(), bytes);
+}
+
+bool Unfinished::is_stored(uint64_t bytes) const {
     struct stat status {};
-    if (!write_all(file_.get(), bytes) || fsync(file_.get()) != 0) return false;
-    if (fstat(file_.get(), &status) != 0) return false;
+    if (fsync(file_.get()) != 0 || fstat(file_.get(), &status) != 0) return false;
     errno = EIO;
-    return uint64_t(status.st_size) == bytes.size();
+    return uint64_t(status.st_size) == bytes;
 }
 
 void Unfinished::resemble(const struct stat& old) const {
@@ -172,18 +177,6 @@ void check_file(const fs::path& path, const std::optional<struct stat>& status) 
                      folder.string(), reason);
 }
 
-void replace_file(const fs::path& path, const std::optional<struct stat>& old,
-                  std::string_view bytes) {
-    const fs::path target = follow_links(path), folder = folder_of(target);
-    remove_abandoned(folder, UNFINISHED);
-    Unfinished file(folder);
-    if (!file) throw_unwritable(folder, path);
-    if (old) file.resemble(*old);
-    if (!file.fill(bytes) || !file.replace(target))
-        throw InputError("{}: cannot be written ({}); {}choose another output", path.string(),
-                         last_error(), old ? "the old file is as it was; " : "");
-}
-
 } // namespace
 
 bool is_standard_output(const fs::path& path) {
@@ -194,12 +187,51 @@ bool is_standard_output(const fs::path& path) {
            status->st_ino == output.st_ino;
 }
 
+struct WholeFile::State {
+    fs::path path, target;
+    std::optional<struct stat> old;
+    std::unique_ptr<Unfinished> file{};
+    uint64_t size = 0;
+
+    [[noreturn]] void fail() const {
+        throw InputError("{}: cannot be written ({}); {}choose another output", path.string(),
+                         last_error(), old ? "the old file is as it was; " : "");
+    }
+};
+
+WholeFile::WholeFile(const fs::path& path)
+    : state_(std::make_unique<State>(State{path, follow_links(path), status_of(path)})) {
+    check_file(path, state_->old);
+    if (is_standard_output(path) || (state_->old && !S_ISREG(state_->old->st_mode)))
+        throw InputError("{}: is a pipe or a device, and this is written in no order; name a file",
+                         path.string());
+    const fs::path folder = folder_of(state_->target);
+    remove_abandoned(folder, UNFINISHED);
+    state_->file = std::make_unique<Unfinished>(folder);
+    if (!*state_->file) throw_unwritable(folder, path);
+    if (state_->old) state_->file->resemble(*state_->old);
+}
+
+WholeFile::~WholeFile() = default;
+
+void WholeFile::write_at(uint64_t offset, std::string_view bytes) {
+    if (!state_->file->write_at(offset, bytes)) state_->fail();
+    state_->size = std::max(state_->size, offset + bytes.size());
+}
+
+void WholeFile::finish() {
+    if (!state_->file->is_stored(state_->size) || !state_->file->replace(state_->target))
+        state_->fail();
+}
+
 void write_file(const fs::path& path, std::string_view bytes) {
     if (is_standard_output(path)) return write_to_standard_output(bytes);
     const auto status = status_of(path);
     check_file(path, status);
     if (status && !S_ISREG(status->st_mode)) return write_through(path, bytes);
-    replace_file(path, status, bytes);
+    WholeFile file(path);
+    file.write_at(0, bytes);
+    file.finish();
 }
 
 void check_writable(const fs::path& path) {

@@ -2,7 +2,9 @@
 // pipes and standard output are written through.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -22,6 +24,23 @@ bool is_standard_output(const std::filesystem::path& path);
 /// followed and stay. Throws InputError, with the old file as it was, when it can't be written or
 /// is read-only.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// A file that is written piece by piece and then takes its target's place as a whole, as
+/// write_file() has it. Where it goes out of scope before, the old file is as it was.
+class WholeFile {
+  public:
+    /// Throws InputError where there can be no such file, as at a pipe or a device.
+    explicit WholeFile(const std::filesystem::path& path);
+    ~WholeFile();
+
+    /// Each throws InputError when the disk is full, for example.
+    void write_at(uint64_t offset, std::string_view bytes);
+    void finish();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 /// Throws InputError unless `path` could be written now: its folder exists and is writable, it is
 /// no folder and not read-only. Leaves nothing behind and touches nothing.

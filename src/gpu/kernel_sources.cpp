@@ -1,5 +1,6 @@
 // Kernel files as text, embedded or on disk, and their #includes.
 #include "core/files.h"
+#include "core/hash.h"
 #include "gpu/embedded_kernels.h"
 #include "gpu/program.h"
 
@@ -117,6 +118,20 @@ std::string KernelSources::flatten(const std::vector<std::string>& files) const 
     Flattener flattener(*this);
     for (const std::string& file : files) flattener.add(file, read(file));
     return flattener.take();
+}
+
+std::string KernelSources::hash() const {
+    std::set<std::string> names;
+    if (root_) {
+        for (const auto& entry : fs::recursive_directory_iterator(*root_))
+            if (entry.path().extension() == ".h" || entry.path().extension() == ".cl")
+                names.insert(entry.path().lexically_relative(*root_).generic_string());
+    } else {
+        for (const EmbeddedFile& file : embedded_kernels()) names.insert(file.name);
+    }
+    Hasher hasher;
+    for (const std::string& name : names) hasher.text(name).text(read(name));
+    return hasher.hex();
 }
 
 } // namespace onde::gpu

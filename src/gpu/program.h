@@ -35,6 +35,9 @@ class KernelSources {
     /// The same of several files, one after the other.
     std::string flatten(const std::vector<std::string>& files) const;
 
+    /// Of the names and texts of all files.
+    std::string hash() const;
+
   private:
     std::optional<std::filesystem::path> root_;
 };
@@ -149,6 +152,7 @@ class Programs {
     Programs& operator=(const Programs&) = delete;
 
     const Device& device() const { return device_; }
+    const KernelSources& sources() const { return sources_; }
 
     /// Compiles or loads the program and launches each kernel once, empty, at its local size,
     /// before a binary is taken. What was built before from the same text and options gives kernel

@@ -91,6 +91,15 @@ static uint8_t byte(float value) {
     return uint8_t(std::lround(255 * std::fmin(std::fmax(value, 0.0f), 1.0f)));
 }
 
+Image with_alpha(const Image& colors, const Image& alpha) {
+    Image picture(colors.width, colors.height, 4);
+    for (size_t i = 0; i < alpha.pixels.size(); i++) {
+        std::copy_n(&colors.pixels[3 * i], 3, &picture.pixels[4 * i]);
+        picture.pixels[4 * i + 3] = alpha.pixels[i];
+    }
+    return picture;
+}
+
 Image straight_alpha(Image image) {
     if (image.channels != 4) return image;
     for (size_t i = 0; i < image.pixels.size(); i += 4)

@@ -33,6 +33,9 @@ glm::vec3 neutral(glm::vec3 linear);
 /// Source: T. Sobotka, AgX, 2022, its curve in the closed form of its generator.
 glm::vec3 agx(glm::vec3 linear);
 
+/// A picture of colours that are multiplied by alpha already, with that as its fourth channel.
+Image with_alpha(const Image& colors, const Image& alpha);
+
 /// Colours by themselves of a picture whose fourth channel is the alpha that they are multiplied
 /// by; pictures of other channels stay as they are.
 Image straight_alpha(Image image);

@@ -12,12 +12,13 @@
 #include "shared/frame.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace onde {
 
-/// A wave: `pixels` entries of the pixel order from `first_pixel`, and of each pixel the samples
+/// A wave: `pixels` entries of the list of pixels from `first_pixel`, and of each pixel the samples
 /// first_sample .. first_sample + samples - 1; `samples` is a power of two.
 struct Wave {
     uint32_t first_pixel = 0, pixels = 0;
@@ -59,6 +60,9 @@ class KernelArguments {
     /// What is bound is the frame of this camera from now on; nothing is counted yet.
     void begin_picture(const Camera& camera);
 
+    /// Waves are of these pixels from now on (x | y << 16), no more than the film has.
+    void set_pixels(std::span<const uint32_t> pixels) { job_.pixel_order.write(device_, pixels); }
+
     /// Binds SCENE_PARAMETERS and JOB_PARAMETERS from argument `first` on; returns the next index.
     uint32_t bind(gpu::Kernel& kernel, uint32_t first = LAUNCH_PARAMETER_COUNT) const;
     /// Sets LAUNCH_PARAMETERS, which come first.
@@ -83,6 +87,8 @@ class EngineDriver {
 
     /// Waves are of the picture of this camera from now on.
     virtual void begin_picture(const Camera& camera) = 0;
+    /// Waves are of these pixels from now on; see KernelArguments.
+    virtual void set_pixels(std::span<const uint32_t> pixels) = 0;
     /// Queues the work of one wave; adds its radiance to the film.
     virtual void render_wave(const Wave& wave) = 0;
     /// The most paths a wave may have.

@@ -167,10 +167,14 @@ static float developed(float sum, float samples, Develop develop) {
 Image Film::develop(const FilmChannel& channel) const {
     if (!has(channel))
         throw InputError("the film has no {}; ask for it before rendering", channel.name);
-    const FilmSums all = join();
-    const std::span sums =
-        std::span(all).subspan(size_t(film_plane(aovs_, channel.sums)) * pixels(), pixels());
-    Image image(width_, height_, channel.components);
+    return develop_sums(join(), width_, height_, aovs_, channel);
+}
+
+Image develop_sums(const FilmSums& all, uint32_t width, uint32_t height, uint32_t aovs,
+                   const FilmChannel& channel) {
+    const size_t pixels = size_t(width) * height;
+    const std::span sums = std::span(all).subspan(film_plane(aovs, channel.sums) * pixels, pixels);
+    Image image(width, height, channel.components);
     for (size_t i = 0; i < sums.size(); i++)
         for (uint32_t k = 0; k < channel.components; k++)
             image.pixels[channel.components * i + k] =

@@ -1,6 +1,7 @@
 // What a film holds, as values on the host: which samples of which pixels, and their sums.
 #pragma once
 
+#include "image/image.h"
 #include "render/film_nodes.h"
 
 #include "shared/aovs.h"
@@ -68,6 +69,10 @@ constexpr uint32_t film_plane(uint32_t aovs, uint32_t sums) {
 
 /// Sums of every pixel, by (plane * height + y) * width + x: of radiance, then of each AOV.
 using FilmSums = std::vector<cl_float4>;
+
+/// The picture of a channel from sums of a film with these AOVs; pixels without a sample are black.
+Image develop_sums(const FilmSums& sums, uint32_t width, uint32_t height, uint32_t aovs,
+                   const FilmChannel& channel);
 
 /// Adds them to `sums`, one by one.
 void add_sums(FilmSums& sums, const FilmSums& more);

@@ -127,18 +127,22 @@ static uint32_t every_other_bit(uint32_t code) {
     return (code & 1) | (code >> 1 & 2) | (code >> 2 & 4);
 }
 
-std::vector<uint32_t> pixel_order(uint32_t width, uint32_t height) {
+std::vector<uint32_t> pixel_order(const Rectangle& r) {
     constexpr uint32_t TILE = 8;
     std::vector<uint32_t> order;
-    order.reserve(size_t(width) * height);
-    for (uint32_t tile_y = 0; tile_y < height; tile_y += TILE)
-        for (uint32_t tile_x = 0; tile_x < width; tile_x += TILE)
+    order.reserve(r.pixels());
+    for (uint32_t tile_y = 0; tile_y < r.height; tile_y += TILE)
+        for (uint32_t tile_x = 0; tile_x < r.width; tile_x += TILE)
             for (uint32_t code = 0; code < TILE * TILE; code++) {
                 const uint32_t x = tile_x + every_other_bit(code);
                 const uint32_t y = tile_y + every_other_bit(code >> 1);
-                if (x < width && y < height) order.push_back(x | y << 16);
+                if (x < r.width && y < r.height) order.push_back((r.x + x) | (r.y + y) << 16);
             }
     return order;
+}
+
+std::vector<uint32_t> pixel_order(uint32_t width, uint32_t height) {
+    return pixel_order(Rectangle{0, 0, width, height});
 }
 
 } // namespace onde

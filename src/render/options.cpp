@@ -31,6 +31,23 @@ static void check_film(const RenderOptions& options) {
         throw InputError("a transparent background needs the AOV alpha");
 }
 
+static void check_rectangle(const RenderOptions& options) {
+    if (!options.rectangle) return;
+    const Rectangle& r = *options.rectangle;
+    if (r.pixels() == 0 || uint64_t(r.x) + r.width > options.width ||
+        uint64_t(r.y) + r.height > options.height)
+        throw InputError("the rectangle {},{} of {}x{} pixels does not lie in the picture of {}x{}",
+                         r.x, r.y, r.width, r.height, options.width, options.height);
+    if (!follows_pixels(options.integrator))
+        throw InputError("--integrator {} draws all pixels at once; a rectangle of them is for "
+                         "path and whitted",
+                         word_of(options.integrator));
+}
+
+bool follows_pixels(IntegratorKind integrator) {
+    return integrator == IntegratorKind::path || integrator == IntegratorKind::whitted;
+}
+
 void check_options(const RenderOptions& options) {
     check_range("width", options.width, 1, 65535);
     check_range("height", options.height, 1, 65535);
@@ -44,6 +61,7 @@ void check_options(const RenderOptions& options) {
     check_range(is_whitted ? "depth of --integrator whitted" : "depth", options.depth, 1,
                 most_depth(options.integrator));
     check_film(options);
+    check_rectangle(options);
     const gpu::DeviceSettings& s = options.settings;
     if (s.width != 1 && s.width != 8 && s.width != 16)
         throw InputError("width {} of lanes is not one of 1, 8, 16", s.width);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/enum_words.h"
+#include "core/rectangle.h"
 #include "gpu/settings.h"
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace onde {
@@ -23,10 +25,12 @@ constexpr auto enum_words(Engine) {
 struct RenderOptions {
     uint32_t width = DEFAULT_FILM_SIZE.x, height = DEFAULT_FILM_SIZE.y; ///< each in [1, 65535]
     uint32_t samples = 64;                                              ///< per pixel, >= 1
-    uint32_t first_sample = 0;   ///< of those, the ones to render: this one and all behind it
-    double seconds = 0;          ///< stop after about that long; 0: no limit
-    uint32_t depth = 12;         ///< the most surfaces a path visits, in [1, 1023]
-    uint32_t roulette_start = 1; ///< first bounce at which Russian roulette may end a path
+    uint32_t first_sample = 0;    ///< of those, the ones to render: this one and all behind it
+    uint32_t picture_samples = 0; ///< where others render more of them: the whole picture's; else 0
+    std::optional<Rectangle> rectangle{}; ///< the only pixels that get samples
+    double seconds = 0;                   ///< stop after about that long; 0: no limit
+    uint32_t depth = 12;                  ///< the most surfaces a path visits, in [1, 1023]
+    uint32_t roulette_start = 1;          ///< first bounce at which Russian roulette may end a path
     uint32_t seed = 0;
     Filter filter = Filter::blackman_harris;
     uint32_t camera = 0; ///< index into the scene's cameras
@@ -42,6 +46,9 @@ struct RenderOptions {
 
 /// The largest depth that an integrator takes.
 uint32_t most_depth(IntegratorKind integrator);
+
+/// Whether its samples are each of one pixel.
+bool follows_pixels(IntegratorKind integrator);
 
 /// Throws InputError unless every value is in its range.
 void check_options(const RenderOptions& options);

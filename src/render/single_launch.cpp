@@ -22,6 +22,7 @@ class SingleLaunch : public EngineDriver {
     }
 
     void begin_picture(const Camera& camera) override { arguments_.begin_picture(camera); }
+    void set_pixels(std::span<const uint32_t> pixels) override { arguments_.set_pixels(pixels); }
     void render_wave(const Wave& wave) override {
         arguments_.set_wave(kernel_, wave, settings_.chunk);
         kernel_.launch((wave.paths() + settings_.chunk - 1) / settings_.chunk, profiler_);

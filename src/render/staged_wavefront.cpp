@@ -19,9 +19,10 @@ class StagedWavefront : public EngineDriver {
         for (const std::string& stage : stages()) bind(program_.kernel(stage), estimator);
     }
 
+    void begin_picture(const Camera& camera) override { arguments_.begin_picture(camera); }
+    void set_pixels(std::span<const uint32_t> pixels) override { arguments_.set_pixels(pixels); }
     /// As long as a path is alive: a step is queued before the one before it is known to have left
     /// some, so that the device need not wait for the host.
-    void begin_picture(const Camera& camera) override { arguments_.begin_picture(camera); }
     void render_wave(const Wave& wave) override {
         for (const std::string& stage : stages())
             arguments_.set_wave(program_.kernel(stage), wave, chunk_of(stage, wave));

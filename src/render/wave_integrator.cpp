@@ -1,6 +1,7 @@
 #include "render/wave_integrator.h"
 
 #include "gpu/fence.h"
+#include "render/frame.h"
 
 #include <algorithm>
 #include <bit>
@@ -34,27 +35,34 @@ WaveIntegrator::WaveIntegrator(const IntegratorContext& c, const MakeEstimator& 
     : device_(c.device()), options_(checked(c.options)), camera_(c.camera), buffers_(c.device()),
       film_(c.programs, buffers_.film, options_), estimator_(make(buffers_)),
       engine_(make_engine({c.programs, buffers_, c.scene, film_, c.camera, options_, c.profiler},
-                          *estimator_)) {}
+                          *estimator_)),
+      pixels_(options_.width * options_.height) {
+    if (options_.rectangle) set_pixels(pixel_order(*options_.rectangle));
+}
+
+void WaveIntegrator::set_pixels(std::span<const uint32_t> pixels) {
+    engine_->set_pixels(pixels);
+    pixels_ = uint32_t(pixels.size());
+}
 
 void WaveIntegrator::render_pass(uint32_t first, uint32_t count,
                                  const std::function<bool(double)>& keep_going) {
     constexpr size_t MOST_IN_FLIGHT = 2;
-    const uint32_t pixels = options_.width * options_.height;
     const uint32_t step = std::min(count, max_samples());
     const uint32_t pixels_per_wave = engine_->wave_capacity() / step;
     std::deque<gpu::Fence> in_flight;
     bool goes_on = true;
-    for (uint32_t begin = film_.begin_pass(first, count, pixels), end = 0;
-         begin < pixels && goes_on; begin = end) {
-        end = std::min(begin + pixels_per_wave, pixels);
+    for (uint32_t begin = film_.begin_pass(first, count, pixels_), end = 0;
+         begin < pixels_ && goes_on; begin = end) {
+        end = std::min(begin + pixels_per_wave, pixels_);
         for (uint32_t done = 0; done < count; done += step)
             queue_wave({begin, end - begin, first + done, step});
         film_.end_wave(end); // whoever reads the film waits in the same queue
         in_flight.emplace_back(device_);
-        if (in_flight.size() < MOST_IN_FLIGHT && end < pixels) continue;
+        if (in_flight.size() < MOST_IN_FLIGHT && end < pixels_) continue;
         in_flight.front().wait();
         in_flight.pop_front();
-        goes_on = keep_going(double(end) / pixels);
+        goes_on = keep_going(double(end) / pixels_);
     }
     device_.finish();
     end_pass();

@@ -1,6 +1,7 @@
 #include "session/choices.h"
 
 #include "core/error.h"
+#include "render/film_nodes.h"
 #include "render/frame.h"
 
 #include "shared/aovs.h"
@@ -79,6 +80,27 @@ uint32_t resolve_samples(const RenderChoices& choices, const RenderSettings& own
     return choices.seconds ? ENDLESS : own.samples.value_or(by_default);
 }
 
+/// Only whole blocks of samples add up to the picture that has them all.
+void resolve_range(const RenderChoices& choices, RenderOptions& options) {
+    options.rectangle = choices.rectangle;
+    const bool is_endless = choices.seconds && !choices.samples;
+    options.picture_samples = is_endless ? 0 : options.samples;
+    if (!choices.sample_range) return;
+    const auto [first, end] = *choices.sample_range;
+    if (first >= end || end > options.samples)
+        throw InputError("--samples {}:{}: the picture has {} samples, 0 to {}; give the first and "
+                         "the one behind the last, and how many there are by --spp",
+                         first, end, options.samples, options.samples - 1);
+    for (const uint32_t border : {first, end})
+        if (border % FILM_BLOCK != 0 && border != options.samples)
+            throw InputError("--samples {}:{}: {} is not a multiple of {}, so that the parts would "
+                             "not add up to the picture; use {} or {}",
+                             first, end, border, FILM_BLOCK, border / FILM_BLOCK * FILM_BLOCK,
+                             (border / FILM_BLOCK + 1) * FILM_BLOCK);
+    options.first_sample = first;
+    options.samples = end;
+}
+
 } // namespace
 
 ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene,
@@ -92,6 +114,7 @@ ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene
     options.samples = resolve_samples(choices, own, options.samples);
     options.seed = choices.seed.value_or(own.seed.value_or(options.seed));
     options.filter = choices.filter.value_or(own.filter.value_or(options.filter));
+    resolve_range(choices, options);
     options.camera = find_camera(choices.camera, scene);
     if (!scene.cameras.empty())
         check_screen(scene.cameras[options.camera], options.width, options.height);

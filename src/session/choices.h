@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace onde {
@@ -14,6 +15,9 @@ struct RenderChoices {
     std::optional<uint32_t> width, height; ///< pixels
     std::optional<uint32_t> samples, depth, seed;
     std::optional<double> seconds;
+    /// The first of the picture's samples to render, and the one behind the last.
+    std::optional<std::pair<uint32_t, uint32_t>> sample_range;
+    std::optional<Rectangle> rectangle; ///< the only pixels that are rendered
     std::optional<IntegratorKind> integrator;
     std::optional<Filter> filter;
     std::string camera; ///< of the scene, by name or number; empty: the first

@@ -2,10 +2,12 @@
 
 #include "core/error.h"
 #include "core/timer.h"
+#include "image/tone.h"
 #include "render/frame.h"
 #include "scene/check.h"
 #include "scene/load.h"
 #include "scene/mapping.h"
+#include "session/choices.h"
 #include "session/integrators.h"
 #include "upload/layout_choice.h"
 
@@ -27,6 +29,7 @@ bool same_geometry(const Material& a, const Material& b) {
 bool same_but_for_length(RenderOptions a, const RenderOptions& b) {
     a.samples = b.samples;
     a.seconds = b.seconds;
+    a.picture_samples = b.picture_samples;
     return a == b;
 }
 
@@ -156,13 +159,7 @@ Film& Session::film() {
 Image Session::picture() {
     const Image radiance = film().develop();
     if (options_.render.background != Background::transparent) return radiance;
-    const Image alpha = film().develop(*find_channel("alpha"));
-    Image picture(radiance.width, radiance.height, 4);
-    for (size_t i = 0; i < alpha.pixels.size(); i++) {
-        std::copy_n(&radiance.pixels[3 * i], 3, &picture.pixels[4 * i]);
-        picture.pixels[4 * i + 3] = alpha.pixels[i];
-    }
-    return picture;
+    return with_alpha(radiance, film().develop(*find_channel("alpha")));
 }
 
 void Session::clear() {
@@ -171,11 +168,30 @@ void Session::clear() {
 }
 
 KeptFilm Session::keep_film() {
-    return {film_identity(scene_, options_.render, options_.bvh), film().contents()};
+    const RenderOptions& o = options_.render;
+    const Rectangle all{0, 0, o.width, o.height};
+    return {film_header(), o.rectangle.value_or(all), film().contents()};
+}
+
+FilmHeader Session::film_header() const {
+    const RenderOptions& o = options_.render;
+    const uint32_t samples = o.picture_samples > 0 ? o.picture_samples : o.samples;
+    return {film_identity(scene_, o, options_.bvh),
+            {ONDE_VERSION, programs_.sources().hash(), device_class(device().facts())},
+            device().facts().name,
+            samples,
+            display_of(scene_.settings, o.integrator)};
 }
 
 void Session::restore_film(const KeptFilm& kept) {
-    check_identity(kept.identity, film_identity(scene_, options_.render, options_.bvh));
+    check_same(kept.header, film_header());
+    const Rectangle all{0, 0, options_.render.width, options_.render.height};
+    const Rectangle window = options_.render.rectangle.value_or(all);
+    if (kept.window != window)
+        throw InputError("the film has {}x{} pixels from {},{}; go on with just these by "
+                         "--rectangle {},{},{},{}",
+                         kept.window.width, kept.window.height, kept.window.x, kept.window.y,
+                         kept.window.x, kept.window.y, kept.window.width, kept.window.height);
     clear();
     integrator_->film().restore(kept.contents);
 }

@@ -3,12 +3,12 @@
 // what it has to say are notes.
 #pragma once
 
+#include "film/film_file.h"
 #include "render/memory_plan.h"
 #include "render/render_loop.h"
 #include "render/traversal_cost.h"
 #include "scene/scene.h"
 #include "session/inspect.h"
-#include "session/kept_film.h"
 
 #include <functional>
 #include <memory>
@@ -76,8 +76,11 @@ class Session {
     void clear();
     /// The film, to go on with in another session, on any device, in waves of any size.
     KeptFilm keep_film();
+    /// What it is of.
+    FilmHeader film_header() const;
     /// Goes on from there; rays and findings are counted anew. Throws InputError unless it is a
-    /// film of this scene with all settings that change a sample.
+    /// film of this scene with all settings that change a sample, of the same pixels, from the same
+    /// sample on.
     void restore_film(const KeptFilm& kept);
     RayCounts ray_counts();
     /// What the integrator has to say about the picture so far, a sentence each.

@@ -89,6 +89,30 @@ TEST_CASE("on a full disk old pictures and numbers stay whole, and each failure 
     }
 }
 
+TEST_CASE("checkpoints on a full disk leave the old film whole, and the render goes on") {
+    const Folder folder;
+    const SmallDisk disk(folder);
+    if (!disk.mounted()) return;
+    const Arguments film{"--size", "24x16", "--film", "small/a.exr", "--resume", "small/a.exr"};
+    Arguments first = film, more = film;
+    first.insert(first.end(), {"--spp", "64"});
+    more.insert(more.end(), {"--spp", "256", "--checkpoint", "0.001", "--wave-size", "512", "-o",
+                             "picture.png"});
+    CHECK(onde::test::onde(folder, render(CORNELL, first)).code == 0);
+    const auto before = disk.files();
+    REQUIRE(before.size() == 1);
+    disk.fill_but(1);
+    const Outcome outcome = onde::test::onde(folder, render(CORNELL, more));
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.err, Catch::Contains("a.exr: cannot be written (No space left on device)"));
+    CHECK(disk.files() == before);
+    CHECK(onde::read_image(folder / "picture.png").width == 24);
+    fs::remove(folder / "small/filler");
+    CHECK(onde::test::onde(folder, render(CORNELL, more)).code == 0);
+    CHECK(disk.files() != before);
+}
+
 TEST_CASE("thumbnails and turntables on a full disk leave no half file") {
     const Folder folder;
     const SmallDisk disk(folder);

@@ -107,6 +107,32 @@ TEST_CASE("a kept film goes on in another session, by other waves, and counts an
     }
 }
 
+TEST_CASE("only the pixels of a rectangle are rendered, with the bits that they have in all") {
+    for (const IntegratorKind integrator : {IntegratorKind::path, IntegratorKind::whitted}) {
+        INFO(word_of(integrator));
+        SessionOptions options = small_session(integrator, 3);
+        Session whole(programs(), varied_scene(), options);
+        whole.render();
+        const Image all = whole.picture();
+        options.render.rectangle = Rectangle{5, 3, 9, 10};
+        options.render.settings.wave_size = 4 * options.render.settings.chunk;
+        Session part(programs(), varied_scene(), options);
+        CHECK(part.render().samples == 3);
+        const Image some = part.picture(), counts = part.film().develop(SAMPLE_COUNT);
+        for (uint32_t y = 0; y < all.height; y++)
+            for (uint32_t x = 0; x < all.width; x++) {
+                const bool inside = x >= 5 && x < 14 && y >= 3 && y < 13;
+                CHECK(counts.pixel(x, y)[0] == (inside ? 3.0f : 0.0f));
+                for (uint32_t k = 0; k < 3; k++)
+                    CHECK(some.pixel(x, y)[k] == (inside ? all.pixel(x, y)[k] : 0.0f));
+            }
+    }
+    SessionOptions options = small_session(IntegratorKind::light, 3);
+    options.render.rectangle = Rectangle{5, 3, 9, 10};
+    CHECK_THROWS_WITH(Session(programs(), varied_scene(), options),
+                      Catch::Contains("draws all pixels at once"));
+}
+
 TEST_CASE("a film of another scene or other settings is refused, with what differs") {
     Session session(programs(), varied_scene(), small_session());
     const KeptFilm kept = session.keep_film();

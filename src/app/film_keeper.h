@@ -1,0 +1,39 @@
+// The film file of a picture that is being rendered: gone on from, written now and then, and at the
+// end.
+#pragma once
+
+#include "app/sequence.h"
+#include "core/timer.h"
+
+#include <future>
+#include <optional>
+
+namespace onde::app {
+
+class FilmKeeper {
+  public:
+    /// Without a film file, nothing is kept. Goes on from the shot's film, where there is one.
+    /// Throws InputError for a film of another picture, and for integrators without samples of
+    /// single pixels.
+    FilmKeeper(Session& session, const Shot& shot, std::optional<double> seconds);
+
+    /// Writes the film where the time for it has come, beside the render. What fails is told once.
+    void keep_if_due();
+    /// Writes the film. Throws InputError.
+    void keep();
+
+  private:
+    void write_beside();
+    /// Of the write that runs, if one does.
+    void wait();
+
+    Session& session_;
+    const Shot& shot_;
+    std::optional<double> seconds_;
+    KeptFilm film_{};                  ///< as it is written
+    std::future<std::string> writing_; ///< what became of it; empty: it is well
+    bool told_ = false;
+    Timer since_;
+};
+
+} // namespace onde::app

@@ -1,5 +1,5 @@
-// Planes of a film, and of the sums of a wave's paths, behind those of radiance: one for each AOV
-// that the program has, in the order of the list.
+// Planes of a film behind that of radiance: one for each AOV that the program has, in the order of
+// the list. The paths of a wave have planes for those that are not functions of their radiance.
 #ifndef ONDE_FILM_AOVS_H
 #define ONDE_FILM_AOVS_H
 
@@ -11,25 +11,33 @@
 #endif
 
 #define HAS_AOV(NAME) (ONDE_AOVS >> AOV_##NAME & 1)
+#define HAS_AOVS_OF(SOURCE) ((ONDE_AOVS & SOURCE##_AOVS) != 0)
 
 // Bits of a constant, as a constant.
-#define ONDE_BIT(NAME, name, components) +(ONDE_AOVS >> AOV_##NAME & 1)
-#define AOV_PLANES (0 AOVS(ONDE_BIT))
+#define ONDE_STORED_BIT(NAME, name, word, letters, SOURCE)                                         \
+    +(AOV_SOURCE_##SOURCE != AOV_SOURCE_SAMPLE && (ONDE_AOVS >> AOV_##NAME & 1))
+#define WAVE_PLANES (0 AOVS(ONDE_STORED_BIT))
 
 #if ONDE_AOVS
 
 typedef struct {
-    #define ONDE_AOV_MEMBER(NAME, name, components) real3 name;
+    #define ONDE_AOV_MEMBER(NAME, name, word, letters, SOURCE) real3 name;
     AOVS(ONDE_AOV_MEMBER)
     #undef ONDE_AOV_MEMBER
 } Aovs;
 
 INLINE Aovs no_aovs(void) {
     Aovs none;
-    #define ONDE_NO_AOV(NAME, name, components) none.name = zero3();
+    #define ONDE_NO_AOV(NAME, name, word, letters, SOURCE) none.name = zero3();
     AOVS(ONDE_NO_AOV)
     #undef ONDE_NO_AOV
     return none;
+}
+
+// Functions of a sample's radiance. Beyond what floats can add up a square says nothing.
+INLINE float4 sample_squares(float4 radiance) {
+    const float4 held = fmin(radiance, (float4)(1e15f));
+    return held * held;
 }
 
 #endif

@@ -50,4 +50,12 @@ INLINE void film_add_aov(FilmView film, WaveJob job, uint path, uint plane, floa
               (pixel & 0xffffu)] += (float4)(value.x, value.y, value.z, 1.0f);
 }
 
+// The same of the AOVs that are functions of the sample's radiance, behind `plane`.
+INLINE void film_add_sample_aovs(FilmView film, WaveJob job, uint path, uint plane,
+                                 float4 radiance) {
+#if ONDE_AOVS
+    if (HAS_AOV(SQUARES)) film_add_aov(film, job, path, ++plane, sample_squares(radiance));
+#endif
+}
+
 #endif

@@ -1,6 +1,7 @@
 // The whole path in one loop, its state in registers: the same estimators, sample by sample, as the
 // wavefront. `count` is the number of paths.
 #include "film/film.h"
+#include "film/light_shares.h"
 #include "film/tally.h"
 #include "megakernel/tree.h"
 
@@ -38,6 +39,19 @@ INLINE void add_splats(Estimator e, FilmView film, Connection c, natural id, uin
 }
 #endif
 
+#if ONDE_AOVS
+    // Gathers what the lanes have of each AOV of a source.
+    #define ONDE_GATHER_AOV(NAME, name, word, letters, SOURCE)                                     \
+        if (AOV_SOURCE_##SOURCE == source && HAS_AOV(NAME))                                        \
+            sum->name = choose(lanes, add3(sum->name, all.name), sum->name);
+INLINE void gather_aovs(uint source, Aovs all, mask lanes, Aovs* sum){AOVS(ONDE_GATHER_AOV)}
+    #if ONDE_TRAIL
+INLINE void gather_light(real3 value, uint surfaces, LightShares shares, mask lanes, Aovs* sum) {
+    gather_aovs(AOV_SOURCE_LIGHT, light_aovs(value, surfaces, shares), lanes, sum);
+}
+    #endif
+#endif
+
 // Tests the connections of a vertex, the camera or light being vertex 0, and adds what arrives.
 INLINE void connect_lanes(Estimator e, FilmView film, Connection c, natural id, uint vertex,
                           mask lanes, Gathered* gathered) {
@@ -59,6 +73,12 @@ INLINE void connect_lanes(Estimator e, FilmView film, Connection c, natural id, 
     const mask lit = mask_from_bits(open);
     gathered->sum = choose(lit, add3(gathered->sum, c.value), gathered->sum);
 #endif
+#if ONDE_TRAIL
+    LightShares shares;
+    shares.diffuse = c.diffuse;
+    shares.transmitted = c.transmitted;
+    gather_light(c.value, vertex + 1, shares, lit, &gathered->aovs);
+#endif
 }
 
 // What the paths from `first` gather, lanes at `end` and beyond left out.
@@ -68,6 +88,9 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
     Gathered gathered;
     gathered.sum = zero3();
     gathered.contributed = gathered.unblocked = (natural)(0u);
+#if ONDE_AOVS
+    gathered.aovs = no_aovs();
+#endif
     mask alive = lanes;
 #if ESTIMATOR_CONNECTS_START
     const Step start = estimator_start(e, id, lanes);
@@ -97,7 +120,11 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
         gathered.sum = choose(alive, add3(gathered.sum, step.emitted), gathered.sum);
     #endif
     #if ONDE_AOVS
-        if (bounce == 0) gathered.aovs = step.aovs;
+        if (bounce == 0) gather_aovs(AOV_SOURCE_SURFACE, step.aovs, alive, &gathered.aovs);
+    #endif
+    #if ONDE_TRAIL
+        gather_aovs(AOV_SOURCE_GUIDE, step.aovs, alive & step.guided, &gathered.aovs);
+        gather_light(step.emitted, bounce, trail_shares(state), alive, &gathered.aovs);
     #endif
         state = step.next;
         connect_lanes(e, film, step.connection, id, bounce + ESTIMATOR_CONNECTS_START, alive,
@@ -123,8 +150,9 @@ INLINE void add_aov(Estimator e, FilmView film, real3 value, uint plane, uint fi
 // Those of the paths from `first` whose radiance was added.
 INLINE void add_aovs(Estimator e, FilmView film, Aovs all, uint first, uint bits) {
     uint plane = 0;
-    #define ONDE_ADD_AOV(NAME, name, components)                                                   \
-        if (HAS_AOV(NAME)) add_aov(e, film, all.name, ++plane, first, bits);
+    #define ONDE_ADD_AOV(NAME, name, word, letters, SOURCE)                                        \
+        if (AOV_SOURCE_##SOURCE != AOV_SOURCE_SAMPLE && HAS_AOV(NAME))                             \
+            add_aov(e, film, all.name, ++plane, first, bits);
     AOVS(ONDE_ADD_AOV)
     #undef ONDE_ADD_AOV
 }
@@ -145,8 +173,12 @@ __kernel void megakernel(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS EST
         spill_real(y, gathered.sum.y);
         spill_real(z, gathered.sum.z);
         uint added = 0;
-        for (uint k = 0; k < ONDE_WIDTH && i + k < range.end; k++)
-            added |= (uint)film_add(film, e.job, i + k, (float4)(x[k], y[k], z[k], 0.0f)) << k;
+        for (uint k = 0; k < ONDE_WIDTH && i + k < range.end; k++) {
+            const float4 radiance = (float4)(x[k], y[k], z[k], 0.0f);
+            if (!film_add(film, e.job, i + k, radiance)) continue;
+            film_add_sample_aovs(film, e.job, i + k, WAVE_PLANES, radiance);
+            added |= 1u << k;
+        }
     #if ONDE_AOVS
         add_aovs(e, film, gathered.aovs, i, added);
     #endif

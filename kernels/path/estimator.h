@@ -3,6 +3,7 @@
 #define ONDE_PATH_ESTIMATOR_H
 
 #include "film/job.h"
+#include "film/light_shares.h"
 #include "path/path.h"
 
 #define ESTIMATOR_TREE 0
@@ -10,8 +11,13 @@
 #define ESTIMATOR_TRANSLUCENT ONDE_ALPHA
 #define ESTIMATOR_CONNECTS_START 0
 #define ESTIMATOR_SPLATS 0
-#define ESTIMATOR_COLUMNS PATH_COLUMNS
-#define ESTIMATOR_CONNECTIONS CONNECTION_COLUMNS
+#if ONDE_TRAIL
+    #define ESTIMATOR_COLUMNS TRAILED_PATH_COLUMNS
+    #define ESTIMATOR_CONNECTIONS SHARED_CONNECTION_COLUMNS
+#else
+    #define ESTIMATOR_COLUMNS PATH_COLUMNS
+    #define ESTIMATOR_CONNECTIONS CONNECTION_COLUMNS
+#endif
 typedef Path State;
 typedef PathVertex Step;
 
@@ -25,6 +31,15 @@ typedef struct {
     SCENE_VIEW(scene_view);                                                                        \
     WAVE_JOB(wave_job);                                                                            \
     const Estimator e = {scene_view, wave_job}
+
+#if ONDE_TRAIL
+INLINE LightShares trail_shares(State path) {
+    LightShares shares;
+    shares.diffuse = path.diffuse;
+    shares.transmitted = path.transmitted;
+    return shares;
+}
+#endif
 
 INLINE Sampler path_sampler(Estimator e, natural id) {
     return sampler_start(job_pixel(e.job, id), job_sample(e.job, id), e.view.frame->seed);

@@ -17,7 +17,11 @@
     #define ONDE_BACKGROUND 1
 #endif
 
+#if ONDE_TRAIL
+COLUMNS_TYPE(Path, TRAILED_PATH_COLUMNS);
+#else
 COLUMNS_TYPE(Path, PATH_COLUMNS);
+#endif
 
 typedef struct {
     real3 emitted;         // radiance found at this vertex
@@ -25,7 +29,8 @@ typedef struct {
     Path next;
     mask alive; // whether `next` goes on
 #if ONDE_AOVS
-    Aovs aovs; // at the first vertex
+    Aovs aovs;   // those of surfaces at the first vertex, guides where `guided`
+    mask guided; // whether this is the vertex that guides
 #endif
 #if ONDE_GROUND
     uint tested; // rays to lights of the ground, by lane
@@ -39,6 +44,11 @@ INLINE Path path_start(__global const FrameRecord* frame, natural pixel, Sampler
     path.direction = ray.direction;
     path.throughput = splat3((real)(1.0f));
     path.pdf = (real)(0.0f);
+#if ONDE_TRAIL
+    path.diffuse = zero3();
+    path.transmitted = (real)(0.0f);
+    path.mirrored = (natural)(1u);
+#endif
     return path;
 }
 
@@ -91,6 +101,14 @@ INLINE Connection path_connection(SceneView view, Path path, Vertex v, Sampler s
     ray.direction = choose(finite, scale3(to, 1.0f / length), light.direction);
     ray.distance = choose(finite, length * SHADOW_SHORTENING, (real)(INFINITE_DISTANCE));
     ray.distance = choose(useful, ray.distance, (real)(0.0f));
+#if ONDE_TRAIL
+    ray.diffuse = path.diffuse;
+    ray.transmitted = path.transmitted;
+    if (bounce == 0) {
+        ray.diffuse = bsdf_diffuse_share(v.bsdf, v.wo, wi, f.value);
+        ray.transmitted = choose(wi.z < 0.0f, (real)(1.0f), (real)(0.0f));
+    }
+#endif
     return ray;
 }
 
@@ -116,7 +134,7 @@ INLINE void path_ground(SceneView view, Path path, Sampler sampler, uint bounce,
     const real3 left = sub3(splat3((real)(1.0f)), g.kept);
     result->emitted = choose(ground, mul3(result->emitted, left), result->emitted);
     result->tested = g.tested;
-    #if HAS_AOV(ALPHA)
+    #if ONDE_AOVS
     const real3 alpha = splat3((g.kept.x + g.kept.y + g.kept.z) * (1.0f / 3.0f));
     result->aovs.alpha = choose(ground, alpha, result->aovs.alpha);
     #endif
@@ -132,6 +150,20 @@ INLINE void path_ground(SceneView view, Path path, Sampler sampler, uint bounce,
     result->next.direction = choose(ground, next.direction, result->next.direction);
     result->next.throughput = choose(ground, next.throughput, result->next.throughput);
     result->next.pdf = choose(ground, next.pdf, result->next.pdf);
+    #if ONDE_TRAIL
+    result->next.mirrored = choose(ground, (natural)(0u), result->next.mirrored);
+    #endif
+}
+#endif
+
+#if ONDE_TRAIL
+// The paths in `lanes` are guided by the surface that they have met, which they may see in mirrors.
+INLINE void path_guide(SceneView view, Path path, Vertex v, mask lanes, PathVertex* result) {
+    if (!HAS_AOVS_OF(GUIDE) || !mask_bits(lanes)) return;
+    const real3 color = guide_color(mul3(path.throughput, material_color(view, v.surface)));
+    result->aovs.denoise_albedo = choose(lanes, color, result->aovs.denoise_albedo);
+    result->aovs.denoise_normal = choose(lanes, v.surface.normal, result->aovs.denoise_normal);
+    result->guided = result->guided | lanes;
 }
 #endif
 
@@ -145,13 +177,19 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     const mask found = lanes & (hit.primitive != BVH_NONE);
     const mask missed = lanes & !found;
     result.alive = found;
-#if ONDE_AOVS
-    result.aovs = no_aovs();
-#endif
 #if ONDE_ENVIRONMENT
     const bool is_seen = ONDE_BACKGROUND || bounce > 0;
     if (is_seen && mask_bits(missed))
         result.emitted = choose(missed, path_background(view, path), result.emitted);
+#endif
+#if ONDE_AOVS
+    result.aovs = no_aovs();
+    result.guided = lanes & !lanes;
+#endif
+#if ONDE_TRAIL
+    result.guided = missed & (path.mirrored != 0u);
+    result.aovs.denoise_albedo =
+        choose(result.guided, guide_color(result.emitted), result.aovs.denoise_albedo);
 #endif
     if (!mask_bits(found)) return result;
 
@@ -162,10 +200,13 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     result.emitted = choose(found, emitted, result.emitted);
     if (HAS_UNLIT) result.emitted = add3(result.emitted, path_unlit(view, path, v.surface, found));
 #if ONDE_AOVS
-    if (bounce == 0) result.aovs = first_surface(view, v, path.direction, found);
+    if (bounce == 0) result.aovs = first_surface(view, v, path.direction, found, result.aovs);
 #endif
     if (bounce + 1 >= view.frame->max_depth) {
         result.alive = found & !found;
+#if ONDE_TRAIL
+        path_guide(view, path, v, found & (path.mirrored != 0u), &result);
+#endif
         return result;
     }
 
@@ -174,6 +215,10 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     v.wo = to_local(v.basis, negate3(path.direction));
     v.wo.z = max_real(v.wo.z, (real)(1e-4f));
     v.bsdf = material_bsdf(view, v.surface, v.wo.z);
+#if ONDE_TRAIL
+    const mask mirror = bsdf_is_mirror(v.bsdf);
+    path_guide(view, path, v, found & !mirror & (path.mirrored != 0u), &result);
+#endif
     const real2 choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE));
     if (view.frame->light_count > 0) {
         result.connection = path_connection(view, path, v, sampler, bounce, choice.x, found);
@@ -186,6 +231,14 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     result.next.direction = direction;
     result.next.throughput = mul3(path.throughput, s.weight);
     result.next.pdf = choose(s.delta, (real)(0.0f), s.pdf);
+#if ONDE_TRAIL
+    result.next.mirrored = choose(mirror, path.mirrored, (natural)(0u));
+    if (bounce == 0) {
+        result.next.diffuse =
+            bsdf_diffuse_share(v.bsdf, v.wo, s.wi, scale3(s.weight, result.next.pdf));
+        result.next.transmitted = choose(s.wi.z < 0.0f, (real)(1.0f), (real)(0.0f));
+    }
+#endif
     result.alive =
         found & s.valid & true_side(v, s.wi, direction) & nonzero3(result.next.throughput);
     if (bounce >= view.frame->roulette_start) {

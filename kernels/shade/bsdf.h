@@ -133,6 +133,12 @@ INLINE BsdfValue bsdf_eval(Bsdf b, real3 wo, real3 wi) {
     return v;
 }
 
+// Within 0 and 1; 0 of nothing, and 1 of what is all but for its rounding.
+INLINE real share_of(real part, real whole) {
+    const real share = choose(part < whole * 0.999999f, part / whole, (real)(1.0f));
+    return choose(whole > 0.0f, share, (real)(0.0f));
+}
+
 // choice picks the lobe, u the direction; all in [0, 1).
 INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     LobeSample lobe;
@@ -171,6 +177,28 @@ INLINE mask bsdf_transmits(Bsdf b) {
     LOBES(ADD_LOBE)
 #undef ADD_LOBE
     return passes;
+}
+
+// Whether it has nothing but smooth lobes, so that what is seen in it is sharp.
+INLINE mask bsdf_is_mirror(Bsdf b) {
+    mask smooth = (mask)(0), rough = (mask)(0);
+#define SORT_LOBE(NAME, name, Type, transmits, kinds)                                              \
+    if (HAS_LOBE(NAME)) {                                                                          \
+        const mask there = b.has.name & (b.probability.name > 0.0f);                               \
+        smooth = smooth | (there & name##_is_smooth(b.name));                                      \
+        rough = rough | (there & !name##_is_smooth(b.name));                                       \
+    }
+    LOBES(SORT_LOBE)
+#undef SORT_LOBE
+    return smooth & !rough;
+}
+
+// The diffuse share of bsdf_eval's `value`.
+INLINE real3 bsdf_diffuse_share(Bsdf b, real3 wo, real3 wi, real3 value) {
+    if (!HAS_LOBE(DIFFUSE)) return zero3();
+    const LobeValue lobe = diffuse_eval(b.diffuse, wo, wi, b.has.diffuse);
+    const real3 own = mul3(lobe.tint, lobe.value);
+    return make3(share_of(own.x, value.x), share_of(own.y, value.y), share_of(own.z, value.z));
 }
 
 // The index below over the index above, where light is refracted; 1 elsewhere.

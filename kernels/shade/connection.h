@@ -9,6 +9,10 @@ typedef struct {
     real distance;  // 0: nothing to test and nothing to add
     real3 value;    // is added, times the transmittance of the way
     natural target; // y * width + x of a pixel; unused where all is for the path's own sum
+#if ONDE_TRAIL
+    real3 diffuse; // shares of the value
+    real transmitted;
+#endif
 } Connection;
 
 INLINE Connection no_connection(void) {
@@ -16,6 +20,10 @@ INLINE Connection no_connection(void) {
     c.origin = c.direction = c.value = zero3();
     c.distance = (real)(0.0f);
     c.target = (natural)(0u);
+#if ONDE_TRAIL
+    c.diffuse = zero3();
+    c.transmitted = (real)(0.0f);
+#endif
     return c;
 }
 

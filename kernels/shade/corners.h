@@ -39,7 +39,7 @@ INLINE real interpolate_further(SceneView view, Corners c, uint number, real u, 
 }
 INLINE UvSets triangle_uv(SceneView view, Corners c, real u, real v) {
     UvSets uvs = same_in_all_sets(make2((real)(0.0f), (real)(0.0f)));
-#if ONDE_TEXTURES
+#if ONDE_TEXTURES || ONDE_UV
     const real w = 1.0f - u - v;
     real2 uv;
     uv.x = RECORD(view.vertices, c.vertex[2], VertexRecord, uv[0]) * v;

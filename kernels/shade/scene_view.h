@@ -10,6 +10,10 @@
 #ifndef ONDE_TEXTURES
     #define ONDE_TEXTURES 1
 #endif
+// Whether texture coordinates are asked for whatever textures there are.
+#ifndef ONDE_UV
+    #define ONDE_UV 0
+#endif
 // Whether some triangle's corners have other normals than the triangle itself.
 #ifndef ONDE_CURVED
     #define ONDE_CURVED 1

@@ -9,10 +9,21 @@
 #define ONDE_ONE_WORD(name) +1
 #define COLUMN_COUNT(LIST) (0 LIST(ONDE_THREE_WORDS, ONDE_ONE_WORD, ONDE_ONE_WORD))
 
+// Whether a path is told of what came before, which guides and shares of light need.
+#ifndef ONDE_TRAIL
+    #define ONDE_TRAIL 0
+#endif
+
 // A path of the path tracer. pdf: of the direction at the last vertex, 0 if light can't have been
 // sampled there. (The ray comes first in every list.)
 #define PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                        \
     VECTOR(origin) VECTOR(direction) VECTOR(throughput) REAL(pdf)
+
+// The same where AOVs ask what came before: shares of its light by what the first surface did (see
+// film/light_shares.h), and whether it has met nothing but mirrors.
+#define TRAILED_PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                \
+    PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                            \
+    VECTOR(diffuse) REAL(transmitted) NATURAL(mirrored)
 
 // A path from a light. Its power is emitted times throughput, that of the surfaces so far.
 #define LIGHT_PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                  \
@@ -30,9 +41,12 @@
 #define HIT_COLUMNS(VECTOR, REAL, NATURAL)                                                         \
     REAL(t) REAL(u) REAL(v) NATURAL(primitive) NATURAL(instance)
 
-// A connection whose value is for its own path, and one for any pixel, its target.
+// A connection whose value is for its own path, one with shares of its light, and one for any
+// pixel, its target.
 #define CONNECTION_COLUMNS(VECTOR, REAL, NATURAL)                                                  \
     VECTOR(origin) VECTOR(direction) REAL(distance) VECTOR(value)
+#define SHARED_CONNECTION_COLUMNS(VECTOR, REAL, NATURAL)                                           \
+    CONNECTION_COLUMNS(VECTOR, REAL, NATURAL) VECTOR(diffuse) REAL(transmitted)
 #define SPLAT_COLUMNS(VECTOR, REAL, NATURAL)                                                       \
     CONNECTION_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(target)
 

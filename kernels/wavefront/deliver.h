@@ -54,6 +54,25 @@ INLINE uint find_transmittance(Estimator e, WaveView wave, const uint* slots, ui
 }
 #endif
 
+#if ONDE_TRAIL
+// The same light to the AOVs of light.
+INLINE void deliver_light(WaveView wave, uint slot, uint path, uint vertex, float3 value) {
+    const Columns connections = wave_connections(wave);
+    const float3 diffuse = word3(connections, RAY_DISTANCE + 4, slot);
+    const float transmitted = *column(connections, RAY_DISTANCE + 7, slot);
+    #define ONDE_DELIVER_AOV(NAME, name, word, letters, SOURCE)                                    \
+        if (AOV_SOURCE_##SOURCE != AOV_SOURCE_SAMPLE && HAS_AOV(NAME)) {                           \
+            path += wave.state.stride;                                                             \
+            if (AOV_SOURCE_##SOURCE == AOV_SOURCE_LIGHT)                                           \
+                wave.sums[path] +=                                                                 \
+                    (float4)(light_aov(AOV_##NAME, value, vertex + 1, diffuse, transmitted),       \
+                             0.0f);                                                                \
+        }
+    AOVS(ONDE_DELIVER_AOV)
+    #undef ONDE_DELIVER_AOV
+}
+#endif
+
 // The connection of a slot, of which `transmittance` arrives. vertex: of the path, the camera or
 // light being 0.
 INLINE void deliver(Estimator e, WaveView wave, FilmView film, uint slot, uint vertex,
@@ -66,6 +85,9 @@ INLINE void deliver(Estimator e, WaveView wave, FilmView film, uint slot, uint v
     wave.sums[path] += estimator_splat(e, film, path, vertex, target, value);
 #else
     wave.sums[path] += (float4)(value, 0.0f);
+#endif
+#if ONDE_TRAIL
+    deliver_light(wave, slot, path, vertex, value);
 #endif
 }
 

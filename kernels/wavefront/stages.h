@@ -8,7 +8,7 @@
 
 // Paths `id` = slot begin to end of the wave, on their way; their sums are zero.
 INLINE void stage_generate(Estimator e, WaveView wave, uint begin, uint end) {
-    for (uint plane = 0; plane <= AOV_PLANES; plane++)
+    for (uint plane = 0; plane <= WAVE_PLANES; plane++)
         for (uint i = begin; i < end; i++)
             wave.sums[plane * wave.state.stride + i] = (float4)(0.0f);
     for (uint i = begin; i < end; i += ONDE_WIDTH) {
@@ -55,13 +55,19 @@ INLINE void stage_shade(Estimator e, WaveView wave, uint bounce, uint begin, uin
     for (uint i = begin; i < end; i += ONDE_WIDTH) {
         const mask lanes = group_lanes(i, end);
         const natural id = choose(lanes, load_id(wave, i), (natural)(0u));
-        const Step step = estimator_vertex(e, load_state(wave.state, i),
-                                           load_hits(wave_hits(wave), i), id, bounce, lanes);
+        const State state = load_state(wave.state, i);
+        const Step step =
+            estimator_vertex(e, state, load_hits(wave_hits(wave), i), id, bounce, lanes);
 #if ESTIMATOR_EMITS
-        add_to_sums(wave, id, step.emitted, mask_bits(lanes & nonzero3(step.emitted)));
+        const uint emitting = mask_bits(lanes & nonzero3(step.emitted));
+        add_to_sums(wave, id, step.emitted, emitting);
 #endif
 #if ONDE_AOVS
-        if (bounce == 0) store_aovs(wave, id, step.aovs, mask_bits(lanes));
+        if (bounce == 0) store_aovs(wave, id, AOV_SOURCE_SURFACE, step.aovs, mask_bits(lanes));
+#endif
+#if ONDE_TRAIL
+        store_aovs(wave, id, AOV_SOURCE_GUIDE, step.aovs, mask_bits(lanes & step.guided));
+        add_light(wave, id, step.emitted, bounce, trail_shares(state), emitting);
 #endif
         store_connection(wave_connections(wave), i, step.connection);
         store_state(wave.state, i, step.next);
@@ -193,9 +199,10 @@ INLINE void stage_accumulate(Estimator e, WaveView wave, FilmView film, uint beg
     estimator_tell(e, contributed, unblocked);
 #else
     for (uint i = begin; i < end; i++) {
-        const bool added = film_add(film, e.job, i, wave.sums[i]);
-        for (uint plane = 1; added && plane <= AOV_PLANES; plane++)
+        if (!film_add(film, e.job, i, wave.sums[i])) continue;
+        for (uint plane = 1; plane <= WAVE_PLANES; plane++)
             film_add_aov(film, e.job, i, plane, wave.sums[plane * wave.state.stride + i]);
+        film_add_sample_aovs(film, e.job, i, WAVE_PLANES, wave.sums[i]);
     }
 #endif
 }

@@ -13,7 +13,7 @@
 #ifndef ONDE_WAVEFRONT_WAVE_H
 #define ONDE_WAVEFRONT_WAVE_H
 
-#include "film/aovs.h"
+#include "film/light_shares.h"
 #include "trace/trace_columns.h"
 
 COLUMNS_ACCESS(State, state, ESTIMATOR_COLUMNS)
@@ -76,19 +76,6 @@ INLINE void store_sums(WaveView wave, natural id, real3 value, uint bits) {
     }
 }
 
-#if ONDE_AOVS
-// What the paths in `bits` have of every AOV.
-INLINE void store_aovs(WaveView wave, natural id, Aovs all, uint bits) {
-    #define ONDE_STORE_AOV(NAME, name, components)                                                 \
-        if (HAS_AOV(NAME)) {                                                                       \
-            id += wave.state.stride;                                                               \
-            store_sums(wave, id, all.name, bits);                                                  \
-        }
-    AOVS(ONDE_STORE_AOV)
-    #undef ONDE_STORE_AOV
-}
-#endif
-
 // Adds to the sums of the paths in `bits`. Every path is in one slot, so nobody else writes there.
 INLINE void add_to_sums(WaveView wave, natural id, real3 value, uint bits) {
     float x[ONDE_WIDTH], y[ONDE_WIDTH], z[ONDE_WIDTH], word[ONDE_WIDTH];
@@ -101,5 +88,32 @@ INLINE void add_to_sums(WaveView wave, natural id, real3 value, uint bits) {
         wave.sums[as_uint(word[k])] += (float4)(x[k], y[k], z[k], 0.0f);
     }
 }
+
+#if ONDE_AOVS
+    // Calls WRITE(plane's first sum + id, AOV) for each AOV of a source that the program has.
+    #define ONDE_WRITE_AOV(NAME, name, word, letters, SOURCE)                                      \
+        if (AOV_SOURCE_##SOURCE != AOV_SOURCE_SAMPLE && HAS_AOV(NAME)) {                           \
+            id += wave.state.stride;                                                               \
+            if (AOV_SOURCE_##SOURCE == source) WRITE_SUMS(wave, id, all.name, bits);               \
+        }
+
+// What the paths in `bits` have of every AOV of a source.
+INLINE void store_aovs(WaveView wave, natural id, uint source, Aovs all, uint bits) {
+    #define WRITE_SUMS store_sums
+    AOVS(ONDE_WRITE_AOV)
+    #undef WRITE_SUMS
+}
+    #if ONDE_TRAIL
+// Adds light that `surfaces` surfaces have turned to the AOVs of light.
+INLINE void add_light(WaveView wave, natural id, real3 value, uint surfaces, LightShares shares,
+                      uint bits) {
+    const uint source = AOV_SOURCE_LIGHT;
+    const Aovs all = light_aovs(value, surfaces, shares);
+        #define WRITE_SUMS add_to_sums
+    AOVS(ONDE_WRITE_AOV)
+        #undef WRITE_SUMS
+}
+    #endif
+#endif
 
 #endif

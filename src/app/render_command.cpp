@@ -2,6 +2,7 @@
 
 #include "app/film_keeper.h"
 #include "app/picture.h"
+#include "app/picture_files.h"
 #include "app/render_report.h"
 #include "app/sequence.h"
 
@@ -9,7 +10,6 @@
 #include "core/log.h"
 #include "core/output.h"
 #include "core/timer.h"
-#include "image/tone.h"
 #include "scene/load.h"
 
 #include <algorithm>
@@ -19,74 +19,6 @@
 
 namespace onde::app {
 namespace {
-
-/// One picture in every file that is asked for: `as_exr` and `as_png` write it to a path.
-template <class WriteExr, class WritePng>
-void write_each(const std::vector<std::filesystem::path>& paths, Outputs& outputs, WriteExr as_exr,
-                WritePng as_png) {
-    for (const auto& path : paths)
-        outputs.attempt([&] {
-            is_exr(path) ? as_exr(path) : as_png(path);
-            if (!is_standard_output(path))
-                spdlog::info("wrote {}", std::filesystem::absolute(path).string());
-        });
-}
-
-void write_pictures(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
-                    const Image& image, const RenderRequest& request, const Display& display,
-                    const ImageMetadata& metadata) {
-    const ExrDepth depth = request.full_float ? ExrDepth::full_float : ExrDepth::half_float;
-    write_each(
-        paths, outputs, [&](const auto& path) { write_exr(path, image, metadata, depth); },
-        [&](const auto& path) { write_png(path, straight_alpha(image), display, metadata); });
-}
-
-void write_cost_maps(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
-                     const TraversalCost& map, const ImageMetadata& metadata) {
-    write_each(
-        aov_paths(paths, TRAVERSAL_COST), outputs,
-        [&](const auto& path) {
-            write_exr(path, cost_numbers(map), metadata, ExrDepth::full_float);
-        },
-        [&](const auto& path) { write_png(path, heat_picture(map), {}, metadata); });
-    spdlog::info("{} tests of boxes and primitives by camera rays, {:.1f} per pixel, {} at most",
-                 map.sum(), double(map.sum()) / (double(map.width) * map.height), map.largest());
-}
-
-/// A channel as it is seen: directions by their octant and alpha as its plain numbers, as mattes
-/// are; colours as they are, others grey, where the largest is white.
-Image shown_channel(Image numbers, const FilmChannel& channel) {
-    const bool is_direction = channel.sums == AOV_NORMAL, is_matte = channel.sums == AOV_ALPHA;
-    const float largest = channel.components == 3 ? 1.0f : std::ranges::max(numbers.pixels);
-    for (float& number : numbers.pixels)
-        number = is_direction ? linear_from_srgb(0.5f + 0.5f * number)
-                 : is_matte   ? linear_from_srgb(std::clamp(number, 0.0f, 1.0f))
-                              : number / std::max(largest, 1e-30f);
-    return numbers;
-}
-
-/// The numbers of a channel of the film, or what is seen of it.
-void write_channel(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
-                   const Image& numbers, const FilmChannel& channel,
-                   const ImageMetadata& metadata) {
-    write_each(
-        aov_paths(paths, std::string(channel.name)), outputs,
-        [&](const auto& path) { write_exr(path, numbers, metadata, ExrDepth::full_float); },
-        [&](const auto& path) { write_png(path, shown_channel(numbers, channel), {}, metadata); });
-}
-
-void write_all(const std::vector<std::filesystem::path>& paths, Outputs& outputs, Session& session,
-               const RenderRequest& request, const RenderReport& report) {
-    const Display display = requested_display(session, request);
-    const ImageMetadata metadata = picture_metadata(session, report.scene_hash, report.outcome);
-    write_pictures(paths, outputs, session.picture(), request, display, metadata);
-    for (const std::string& aov : request.aovs)
-        if (aov == TRAVERSAL_COST)
-            write_cost_maps(paths, outputs, session.traversal_cost(), metadata);
-        else
-            write_channel(paths, outputs, session.film().develop(*find_channel(aov)),
-                          *find_channel(aov), metadata);
-}
 
 void tell_findings(Session& session, const RenderOutcome& outcome) {
     if (const Film::Invalid invalid = session.film().find_invalid(); invalid.count > 0)
@@ -132,7 +64,8 @@ void make_picture(Session& session, const Shot& shot, RenderReport report, const
 
     const Timer writing;
     work.outputs.attempt([&] { keeper.keep(); });
-    write_all(shot.outputs, work.outputs, session, request, report);
+    write_picture_files(shot.outputs, work.outputs, session, request,
+                        picture_metadata(session, report.scene_hash, report.outcome));
     work.done += !work.interrupted;
     report.write_seconds = writing.seconds();
     report.total_seconds = timer.seconds();

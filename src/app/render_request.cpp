@@ -63,11 +63,13 @@ void declare_picture(Command& command, RenderRequest& r) {
                    {.value = "SECONDS"});
     command.option(
         "--aov", &r.aovs,
-        "Also write OUTPUT.WORD, as numbers in .exr, as colours in .png: traversal-cost,\n"
-        "the boxes and primitives that camera rays test by pixel; sample-count; and of\n"
-        "the first surface alpha, albedo, normal or depth",
+        "Further channels: in an .exr beside the picture's own, to OUTPUT.WORD.png of a\n"
+        ".png; docs/scene-format.md says what each holds",
         {.value = "WORD", .delimiter = ',', .words = aov_words()});
     declare_display(command, r);
+    command.choice(
+        "--exr-names", r.exr_names,
+        "How the channels of an .exr are called: albedo.R, or as Blender has it (plain)");
     command.flag("--float", r.full_float, "Write 32-bit .exr instead of 16-bit");
 }
 
@@ -306,13 +308,6 @@ std::filesystem::path aov_path(const std::filesystem::path& output, const std::s
     return path.replace_extension(name + output.extension().string());
 }
 
-std::vector<std::filesystem::path> aov_paths(const std::vector<std::filesystem::path>& outputs,
-                                             const std::string& name) {
-    std::vector<std::filesystem::path> paths;
-    for (const auto& output : outputs) paths.push_back(aov_path(output, name));
-    return paths;
-}
-
 bool is_exr(const std::filesystem::path& output) {
     return lower_extension(output) == ".exr";
 }
@@ -335,8 +330,9 @@ std::vector<fs::path> named_outputs(const RenderRequest& request) {
 static std::vector<fs::path> all_outputs(const std::vector<fs::path>& outputs,
                                          const RenderRequest& request) {
     std::vector<fs::path> all = outputs;
-    for (const std::string& aov : request.aovs)
-        std::ranges::copy(aov_paths(outputs, aov), std::back_inserter(all));
+    for (const fs::path& output : outputs)
+        if (!is_exr(output))
+            for (const std::string& aov : request.aovs) all.push_back(aov_path(output, aov));
     if (!request.json.empty()) all.push_back(request.json);
     return all;
 }

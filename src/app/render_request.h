@@ -18,6 +18,13 @@
 
 namespace onde::app {
 
+/// How the channels of an .exr are called.
+enum class ExrNames { plain, blender };
+
+constexpr auto enum_words(ExrNames) {
+    return std::array{EnumWord{ExrNames::plain, "plain"}, EnumWord{ExrNames::blender, "blender"}};
+}
+
 /// Where and from what the kernels are built.
 struct MachineRequest {
     std::string device;
@@ -41,13 +48,14 @@ struct RenderRequest {
     std::optional<ToneMap> tone_map;
     Studio studio = Studio::automatic;
     GroundPlane ground = GroundPlane::automatic;
+    ExrNames exr_names = ExrNames::plain;
     bool full_float = false;
     std::filesystem::path json;
-    std::optional<uint32_t> turntable; ///< pictures of a turn, from 1 on
-    std::filesystem::path film, resume; ///< film files: to write, to go on from; or empty
-    std::optional<double> checkpoint;   ///< seconds between two writes of the film
+    std::optional<uint32_t> turntable;   ///< pictures of a turn, from 1 on
+    std::filesystem::path film, resume;  ///< film files: to write, to go on from; or empty
+    std::optional<double> checkpoint;    ///< seconds between two writes of the film
     std::string sample_range, rectangle; ///< FIRST:END and X,Y,WIDTH,HEIGHT, or empty
-    std::string frames;                ///< of an animation, FIRST:LAST, or empty
+    std::string frames;                  ///< of an animation, FIRST:LAST, or empty
     std::optional<double> frames_a_second;
     bool stats = false, quiet = false;
 };
@@ -97,9 +105,6 @@ std::vector<std::string> aov_words();
 
 /// Where a picture's companion of that name goes: out.png's "a" to out.a.png.
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name);
-
-std::vector<std::filesystem::path> aov_paths(const std::vector<std::filesystem::path>& outputs,
-                                             const std::string& name);
 
 /// Whether a picture of that name is OpenEXR; else it is PNG.
 bool is_exr(const std::filesystem::path& output);

@@ -23,7 +23,7 @@ std::vector<Plane> planes_of(uint32_t aovs) {
         if (plane == planes.end())
             plane = planes.insert(planes.end(), {std::string(channel.name), channel.sums, 0});
         if (channel.first < COUNT)
-            plane->components = std::max(plane->components, channel.first + channel.components);
+            plane->components = std::max(plane->components, channel.first + channel.components());
     }
     return planes;
 }

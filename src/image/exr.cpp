@@ -1,4 +1,5 @@
-// OpenEXR by its own library, over files in memory. Pixels are read and written as floats.
+// OpenEXR by its own library, read from files in memory. Pixels are read as floats.
+#include "image/exr_threads.h"
 #include "image/stored_image.h"
 
 #include <ImfChannelList.h>
@@ -7,10 +8,8 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
-#include <ImfOutputFile.h>
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
-#include <ImfThreading.h>
 #include <ImfTileDescription.h>
 #include <ImfXdr.h>
 
@@ -23,8 +22,6 @@ namespace {
 
 using Imf::Header;
 using Imf::InputFile;
-
-constexpr float MAX_HALF = 65504.0f;
 
 class MemoryIn : public Imf::IStream {
   public:
@@ -49,31 +46,13 @@ class MemoryIn : public Imf::IStream {
     size_t at_ = 0;
 };
 
-class MemoryOut : public Imf::OStream {
-  public:
-    MemoryOut() : OStream("memory") {}
-
-    void write(const char from[], int count) override {
-        if (at_ + size_t(count) > bytes.size()) bytes.resize(at_ + size_t(count));
-        std::memcpy(bytes.data() + at_, from, size_t(count));
-        at_ += size_t(count);
-    }
-    uint64_t tellp() override { return at_; }
-    void seekp(uint64_t at) override { at_ = at; }
-
-    std::string bytes;
-
-  private:
-    size_t at_ = 0;
-};
-
-void limit_threads() {
-    static const bool done = [] {
-        constexpr int THREADS = 4; // large pictures are read while nothing else is done
-        Imf::setGlobalThreadCount(THREADS);
-        return true;
-    }();
-    (void)done;
+/// What comes before R, G and B in the names of the picture's own channels, as Blender writes
+/// them.
+std::string layer_of_picture(const std::vector<std::string>& names) {
+    constexpr std::string_view RED = ".Combined.R";
+    for (const std::string& name : names)
+        if (name.ends_with(RED)) return name.substr(0, name.size() - 1);
+    return "";
 }
 
 /// The channels to read, in the order of a StoredImage: R, G, B and A by name, else up to four as
@@ -85,9 +64,13 @@ std::vector<std::string> picture_channels(const Imf::ChannelList& list) {
             throw ImageProblem("its colours are subsampled");
         names.emplace_back(channel.name());
     }
-    if (list.findChannel("R") && list.findChannel("G") && list.findChannel("B"))
-        return list.findChannel("A") ? std::vector<std::string>{"R", "G", "B", "A"}
-                                     : std::vector<std::string>{"R", "G", "B"};
+    const std::string layer = list.findChannel("R") ? "" : layer_of_picture(names);
+    std::vector<std::string> colors{layer + "R", layer + "G", layer + "B"};
+    if (std::ranges::all_of(colors,
+                            [&](auto& name) { return list.findChannel(name) != nullptr; })) {
+        if (list.findChannel(layer + "A")) colors.push_back(layer + "A");
+        return colors;
+    }
     if (list.findChannel("Y"))
         return list.findChannel("A") ? std::vector<std::string>{"Y", "A"}
                                      : std::vector<std::string>{"Y"};
@@ -161,22 +144,28 @@ ImageHeader header(FileBytes file) {
     return read_header(first_header(file));
 }
 
-StoredImage decode(FileBytes file) {
-    limit_threads();
-    MemoryIn memory(file);
-    InputFile input(memory);
+/// The channels of these names, interleaved.
+StoredImage read_channels(InputFile& input, const std::vector<std::string>& names) {
     const ImageHeader size = read_header(input.header());
     const Imath::Box2i window = input.header().dataWindow();
-    std::vector<float> pixels(size_t(size.width) * size.height * size.channels);
-    const size_t stride = sizeof(float) * size.channels, row = stride * size.width;
+    const auto channels = uint32_t(names.size());
+    std::vector<float> pixels(size_t(size.width) * size.height * channels);
+    const size_t stride = sizeof(float) * channels, row = stride * size.width;
     Imf::FrameBuffer target;
     size_t index = 0;
-    for (const std::string& name : picture_channels(input.header().channels()))
+    for (const std::string& name : names)
         target.insert(name, Imf::Slice::Make(Imf::FLOAT, pixels.data() + index++, window.min,
                                              size.width, size.height, stride, row));
     input.setFrameBuffer(target);
     input.readPixels(window.min.y, window.max.y);
-    return {size.width, size.height, size.channels, std::move(pixels)};
+    return {size.width, size.height, channels, std::move(pixels)};
+}
+
+StoredImage decode(FileBytes file) {
+    limit_exr_threads();
+    MemoryIn memory(file);
+    InputFile input(memory);
+    return read_channels(input, picture_channels(input.header().channels()));
 }
 
 ImageMetadata metadata(FileBytes file) {
@@ -192,53 +181,18 @@ bool recognise(FileBytes file) {
     return as_text(file).starts_with("\x76\x2f\x31\x01");
 }
 
-std::vector<std::string> channel_names(uint32_t channels) {
-    if (channels == 1) return {"Y"};
-    return channels == 4 ? std::vector<std::string>{"R", "G", "B", "A"}
-                         : std::vector<std::string>{"R", "G", "B"};
-}
-
-constexpr Imf::PixelType pixel_type(Imath::half) {
-    return Imf::HALF;
-}
-constexpr Imf::PixelType pixel_type(float) {
-    return Imf::FLOAT;
-}
-
-/// The picture in a file of samples of type T, which hold at most `most`.
-template <class T>
-std::string encode(const Image& image, Header header, float most) {
-    std::vector<T> samples;
-    samples.reserve(image.pixels.size());
-    for (const float value : image.pixels) samples.push_back(T(std::clamp(value, -most, most)));
-    const size_t stride = sizeof(T) * image.channels, row = stride * image.width;
-    Imf::FrameBuffer source;
-    T* first = samples.data();
-    for (const std::string& name : channel_names(image.channels)) {
-        header.channels().insert(name, Imf::Channel(pixel_type(T())));
-        source.insert(name,
-                      Imf::Slice(pixel_type(T()), reinterpret_cast<char*>(first++), stride, row));
-    }
-    MemoryOut memory;
-    {
-        Imf::OutputFile output(memory, header); // complete when it is destroyed
-        output.setFrameBuffer(source);
-        output.writePixels(int(image.height));
-    }
-    return std::move(memory.bytes);
-}
-
 } // namespace
 
 const ImageFormat EXR_FORMAT{"OpenEXR", recognise, header, decode, metadata};
 
-std::string encode_exr(const Image& image, const ImageMetadata& metadata, ExrDepth depth) {
-    limit_threads();
-    Header header(int(image.width), int(image.height));
-    header.compression() = Imf::ZIP_COMPRESSION;
-    for (const auto& [key, value] : metadata) header.insert(key, Imf::StringAttribute(value));
-    if (depth == ExrDepth::half_float) return encode<Imath::half>(image, header, MAX_HALF);
-    return encode<float>(image, header, std::numeric_limits<float>::max());
+StoredImage decode_exr(FileBytes file, const std::vector<std::string>& names) {
+    limit_exr_threads();
+    MemoryIn memory(file);
+    InputFile input(memory);
+    for (const std::string& name : names)
+        if (!input.header().channels().findChannel(name))
+            throw ImageProblem("it has no channel " + name);
+    return read_channels(input, names);
 }
 
 } // namespace onde

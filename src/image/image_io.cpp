@@ -174,18 +174,29 @@ Image read_image(const std::filesystem::path& path, uint64_t max_pixels) {
     });
 }
 
+Image read_exr(const std::filesystem::path& path, const std::vector<std::string>& names,
+               uint64_t max_pixels) {
+    const std::string file = read_file(path), name = path.string();
+    return guarded(name, [&] {
+        if (&format_of(as_bytes(file), name) != &EXR_FORMAT)
+            throw ImageProblem("it is no OpenEXR file");
+        acceptable_header(EXR_FORMAT, as_bytes(file), name, max_pixels);
+        StoredImage stored = decode_exr(as_bytes(file), names);
+        Image image;
+        image.width = stored.width;
+        image.height = stored.height;
+        image.channels = stored.channels;
+        image.pixels = std::get<std::vector<float>>(std::move(stored.samples));
+        return image;
+    });
+}
+
 ImageMetadata read_image_metadata(const std::filesystem::path& path) {
     const std::string file = read_file(path), name = path.string();
     return guarded(name, [&]() -> ImageMetadata {
         const ImageFormat& format = format_of(as_bytes(file), name);
         return format.metadata ? format.metadata(as_bytes(file)) : ImageMetadata{};
     });
-}
-
-void write_exr(const std::filesystem::path& path, const Image& image, const ImageMetadata& metadata,
-               ExrDepth depth) {
-    check_shape(image, path);
-    write_file(path, encode_exr(image, metadata, depth));
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, const Display& display,

@@ -10,6 +10,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace onde {
 
@@ -24,6 +25,11 @@ inline constexpr uint64_t MOST_PIXELS = uint64_t(1) << 28;
 /// linearised; float files are taken as they are. Throws InputError for a file that is missing,
 /// damaged, of another format, or of more than `max_pixels`; the last before it is decoded.
 Image read_image(const std::filesystem::path& path, uint64_t max_pixels = MOST_PIXELS);
+
+/// The channels of these names of an OpenEXR, interleaved in that order. Throws InputError like
+/// read_image, and where there is none of a name.
+Image read_exr(const std::filesystem::path& path, const std::vector<std::string>& names,
+               uint64_t max_pixels = MOST_PIXELS);
 
 /// The text attributes of a PNG's or OpenEXR's header; throws InputError like read_image.
 ImageMetadata read_image_metadata(const std::filesystem::path& path);
@@ -48,9 +54,21 @@ ImageSize image_size(std::span<const uint8_t> file, const std::string& name,
 
 enum class ExrDepth { half_float, full_float };
 
-/// Writes linear RGB (or RGBA, or one-channel) floats as ZIP-compressed OpenEXR, as write_file
-/// does. Values beyond the range of `depth`, infinity too, are clamped to it. Throws InputError
-/// when the file can't be written.
+/// Some channels of a picture of many: of pixel i, image.pixels[k + i * image.channels] is the
+/// channel called names[k].
+struct ExrLayer {
+    Image image;
+    std::vector<std::string> names;
+    ExrDepth depth = ExrDepth::half_float;
+};
+
+/// Writes all channels of layers of the same size as one ZIP-compressed OpenEXR, as write_file
+/// does. Values beyond the range of a layer's depth, infinity too, are clamped to it. Throws
+/// InputError when the file can't be written, or two channels have one name.
+void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers,
+               const ImageMetadata& metadata);
+
+/// The same of linear RGB (or RGBA, or one-channel) floats alone.
 void write_exr(const std::filesystem::path& path, const Image& image, const ImageMetadata& metadata,
                ExrDepth depth = ExrDepth::half_float);
 

@@ -91,11 +91,11 @@ struct ImageFormat {
 extern const ImageFormat PNG_FORMAT, EXR_FORMAT, JPEG_FORMAT, WEBP_FORMAT, TIFF_FORMAT, BMP_FORMAT,
     HDR_FORMAT, PFM_FORMAT, KTX2_FORMAT, TGA_FORMAT;
 
+/// Those channels of an OpenEXR file whose header has been found acceptable.
+StoredImage decode_exr(FileBytes file, const std::vector<std::string>& names);
+
 /// A PNG file of interleaved bytes, 1, 3 or 4 channels, in sRGB.
 std::string encode_png(std::span<const uint8_t> bytes, uint32_t width, uint32_t height,
                        uint32_t channels, const ImageMetadata& metadata);
-
-/// A ZIP-compressed OpenEXR file. Values beyond the range of `depth` are clamped to it.
-std::string encode_exr(const Image& image, const ImageMetadata& metadata, ExrDepth depth);
 
 } // namespace onde

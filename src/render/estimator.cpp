@@ -1,13 +1,20 @@
 #include "render/estimator.h"
 
+#include "shared/aovs.h"
 #include "shared/columns.h"
 
 namespace onde {
 
-PathEstimator::PathEstimator()
+PathEstimator::PathEstimator(uint32_t aovs)
     : shape_{.file = "path/estimator.h",
              .defines = {},
              .state_columns = COLUMN_COUNT(PATH_COLUMNS),
-             .connection_columns = COLUMN_COUNT(CONNECTION_COLUMNS)} {}
+             .connection_columns = COLUMN_COUNT(CONNECTION_COLUMNS)} {
+    if (aovs >> AOV_UV & 1) shape_.defines.emplace_back("ONDE_UV=1");
+    if ((aovs & (GUIDE_AOVS | LIGHT_AOVS)) == 0) return;
+    shape_.defines.emplace_back("ONDE_TRAIL=1");
+    shape_.state_columns = COLUMN_COUNT(TRAILED_PATH_COLUMNS);
+    shape_.connection_columns = COLUMN_COUNT(SHARED_CONNECTION_COLUMNS);
+}
 
 } // namespace onde

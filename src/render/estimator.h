@@ -31,10 +31,11 @@ class Estimator {
     virtual void clear(const gpu::Device&) {}
 };
 
-/// The path tracer, which has no buffers of its own.
+/// The path tracer, which has no buffers of its own. Of AOVs of light and guides, by their bits,
+/// paths know more about what came before.
 class PathEstimator : public Estimator {
   public:
-    PathEstimator();
+    explicit PathEstimator(uint32_t aovs);
     const EstimatorShape& shape() const override { return shape_; }
     uint32_t bind(gpu::Kernel&, uint32_t first) const override { return first; }
 

@@ -164,6 +164,15 @@ static float developed(float sum, float samples, Develop develop) {
     return develop == Develop::share ? std::min(light, 1.0f) : light;
 }
 
+/// Of the mean of so many samples, without bias, from the sums of them and of their squares. One
+/// sample tells nothing of its variance; it is taken to be its square.
+static float variance_of_mean(float sum, float squares, float samples) {
+    if (!(samples > 0.0f)) return 0.0f;
+    const double n = samples;
+    if (n < 2) return squares;
+    return float(std::max(squares - double(sum) * sum / n, 0.0) / (n * (n - 1)));
+}
+
 Image Film::develop(const FilmChannel& channel) const {
     if (!has(channel))
         throw InputError("the film has no {}; ask for it before rendering", channel.name);
@@ -174,11 +183,13 @@ Image develop_sums(const FilmSums& all, uint32_t width, uint32_t height, uint32_
                    const FilmChannel& channel) {
     const size_t pixels = size_t(width) * height;
     const std::span sums = std::span(all).subspan(film_plane(aovs, channel.sums) * pixels, pixels);
-    Image image(width, height, channel.components);
+    Image image(width, height, channel.components());
     for (size_t i = 0; i < sums.size(); i++)
-        for (uint32_t k = 0; k < channel.components; k++)
-            image.pixels[channel.components * i + k] =
-                developed(sums[i].s[channel.first + k], sums[i].s[3], channel.develop);
+        for (uint32_t k = 0; k < channel.components(); k++)
+            image.pixels[channel.components() * i + k] =
+                channel.develop == Develop::variance
+                    ? variance_of_mean(all[i].s[k], sums[i].s[k], sums[i].s[3])
+                    : developed(sums[i].s[channel.first + k], sums[i].s[3], channel.develop);
     return image;
 }
 

@@ -27,10 +27,11 @@ struct FilmExtent {
 
 /// How sums become a picture.
 enum class Develop {
-    mean,  ///< divided by the fourth component, the number of samples
-    light, ///< the mean, but not below 0
-    share, ///< the mean, but within 0 and 1
-    sum,   ///< as they are
+    mean,     ///< divided by the fourth component, the number of samples
+    light,    ///< the mean, but not below 0
+    share,    ///< the mean, but within 0 and 1
+    sum,      ///< as they are
+    variance, ///< of the mean of radiance, from the sum of its squares
 };
 
 /// The float4 sums that radiance has; the AOVs of shared/aovs.h have others.
@@ -38,21 +39,25 @@ inline constexpr uint32_t RADIANCE_SUMS = AOV_COUNT;
 
 /// A quantity that a film has of every pixel: some components of float4 sums.
 struct FilmChannel {
-    std::string_view name; ///< for people and files
-    uint32_t sums;         ///< number of the AOV, or RADIANCE_SUMS
-    uint32_t first, components;
+    std::string_view name;    ///< for people and files
+    std::string_view letters; ///< one for each component
+    uint32_t sums;            ///< number of the AOV, or RADIANCE_SUMS
+    uint32_t first;           ///< of the sums' components
     Develop develop;
+
+    constexpr uint32_t components() const { return uint32_t(letters.size()); }
 };
 
-inline constexpr FilmChannel RADIANCE{"radiance", RADIANCE_SUMS, 0, 3, Develop::light};
-inline constexpr FilmChannel SAMPLE_COUNT{"sample-count", RADIANCE_SUMS, 3, 1, Develop::sum};
+inline constexpr FilmChannel RADIANCE{"radiance", "RGB", RADIANCE_SUMS, 0, Develop::light};
+inline constexpr FilmChannel SAMPLE_COUNT{"sample-count", "X", RADIANCE_SUMS, 3, Develop::sum};
 
 /// Every channel that there is. A film has those of radiance, and the AOVs that it is asked for.
 constexpr Develop develop_of_aov(uint32_t aov) {
+    if (aov == AOV_SQUARES) return Develop::variance;
     return aov == AOV_ALPHA ? Develop::share : Develop::mean;
 }
-#define ONDE_CHANNEL(NAME, name, components)                                                       \
-    {#name, AOV_##NAME, 0, components, develop_of_aov(AOV_##NAME)},
+#define ONDE_CHANNEL(NAME, name, word, letters, SOURCE)                                            \
+    {word, letters, AOV_##NAME, 0, develop_of_aov(AOV_##NAME)},
 inline constexpr FilmChannel FILM_CHANNELS[] = {RADIANCE, SAMPLE_COUNT, AOVS(ONDE_CHANNEL)};
 #undef ONDE_CHANNEL
 

@@ -1,5 +1,6 @@
 #include "render/wave_memory.h"
 
+#include "shared/aovs.h"
 #include "shared/columns.h"
 
 #include <bit>
@@ -18,9 +19,10 @@ uint32_t work_columns(const EstimatorShape& estimator) {
     return 1 + COLUMN_COUNT(HIT_COLUMNS) + estimator.connection_columns;
 }
 
-/// Radiance of every path, then the AOVs as columns.
+/// Radiance of every path, then the AOVs that are more than functions of it, as columns.
 size_t sum_count(const RenderOptions& options, size_t stride) {
-    return options.settings.wave_size + size_t(std::popcount(options.aovs)) * stride;
+    const uint32_t stored = options.aovs & ~SAMPLE_AOVS;
+    return options.settings.wave_size + size_t(std::popcount(stored)) * stride;
 }
 
 } // namespace

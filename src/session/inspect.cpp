@@ -108,7 +108,7 @@ TreeReport inspect_whitted(const IntegratorContext& c, const PixelSample& at) {
 PathReport inspect_path(const IntegratorContext& c, const PixelSample& at) {
     const Inspection inspection(c, at);
     gpu::Program program =
-        inspection.build(PathEstimator().shape(), "inspect/path.cl", "inspect_path");
+        inspection.build(PathEstimator(0).shape(), "inspect/path.cl", "inspect_path");
     gpu::Kernel& kernel = program.kernel("inspect_path");
     const gpu::Buffer<BounceReport> bounces(c.device(), c.options.depth);
     const gpu::Buffer<uint32_t> count(c.device(), 1);

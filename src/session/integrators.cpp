@@ -22,8 +22,9 @@ static std::unique_ptr<Integrator> make_whitted(const IntegratorContext& context
 std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
     switch (context.options.integrator) {
     case IntegratorKind::path:
-        return std::make_unique<WaveIntegrator>(
-            context, [](RenderBuffers&) { return std::make_unique<PathEstimator>(); });
+        return std::make_unique<WaveIntegrator>(context, [&](RenderBuffers&) {
+            return std::make_unique<PathEstimator>(context.options.aovs);
+        });
     case IntegratorKind::whitted:
         return make_whitted(context);
     case IntegratorKind::light:
@@ -47,7 +48,7 @@ MemoryPlan plan_memory(const Scene& scene, const RenderOptions& options,
     plan_film(buffers.film, options);
     switch (options.integrator) {
     case IntegratorKind::path:
-        plan_engine(buffers, PathEstimator().shape(), options);
+        plan_engine(buffers, PathEstimator(options.aovs).shape(), options);
         break;
     case IntegratorKind::whitted:
         plan_whitted(buffers, scene, options);

@@ -1,4 +1,5 @@
 // `onde render`: the picture, what goes with it, and how it ends.
+#include "core/error.h"
 #include "image/image_io.h"
 #include "onde_process.h"
 
@@ -209,16 +210,24 @@ TEST_CASE("a second Ctrl-C ends the program at once and leaves the old picture a
     CHECK(folder.files() == before);
 }
 
+namespace {
+
+std::vector<std::string> cost_names() {
+    return {"traversal_cost.R", "traversal_cost.G", "traversal_cost.B"};
+}
+
+} // namespace
+
 TEST_CASE("--aov traversal-cost writes what each pixel tests beside every picture") {
     const Folder folder;
     const Outcome outcome = onde::test::onde(
         folder, render(CORNELL, {"-o", "a.png", "-o", "b.exr", "--aov", "traversal-cost"}));
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    CHECK(folder.files().size() == 4);
+    CHECK(folder.files().size() == 3);
     check_is_picture(folder / "a.traversal-cost.png");
     double sum = 0;
-    const onde::Image counts = onde::read_image(folder / "b.traversal-cost.exr");
+    const onde::Image counts = onde::read_exr(folder / "b.exr", cost_names());
     for (size_t i = 0; i < counts.pixels.size(); i += 3) {
         CHECK(counts.pixels[i] + counts.pixels[i + 1] == counts.pixels[i + 2]);
         sum += counts.pixels[i + 2];
@@ -256,12 +265,44 @@ TEST_CASE("--aov sample-count writes how many samples each pixel has") {
                                                   "--aov", "sample-count,traversal-cost"}));
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    CHECK(folder.files().size() == 6);
-    const onde::Image counts = onde::read_image(folder / "b.sample-count.exr");
+    CHECK(folder.files().size() == 4);
+    const onde::Image counts = onde::read_exr(folder / "b.exr", {"sample_count.X"});
     CHECK(counts.channels == 1);
     CHECK(std::ranges::all_of(counts.pixels, [](float count) { return count == 70; }));
     const onde::Image white = onde::read_image(folder / "a.sample-count.png");
     CHECK(std::ranges::all_of(white.pixels, [](float value) { return value == 1; }));
+}
+
+TEST_CASE("an .exr has every channel that is asked for, by names of one's choice") {
+    const Folder folder;
+    const auto channels = [&](const char* file, Arguments more) {
+        Arguments options{"--spp", "4",
+                          "-o",    file,
+                          "--aov", "depth,normal,denoise-albedo,uv,direct,variance,sample-count"};
+        options.insert(options.end(), more.begin(), more.end());
+        const Outcome outcome = onde::test::onde(folder, render(CORNELL, options));
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+    };
+    channels("plain.exr", {});
+    channels("blender.exr", {"--exr-names", "blender"});
+    CHECK(folder.files().size() == 2);
+    const std::pair<const char*, const char*> pairs[] = {
+        {"R", "ViewLayer.Combined.R"},
+        {"depth.Z", "ViewLayer.Depth.Z"},
+        {"normal.X", "ViewLayer.Normal.X"},
+        {"denoise_albedo.G", "ViewLayer.Denoising Albedo.G"},
+        {"uv.V", "ViewLayer.UV.V"},
+        {"direct.B", "ViewLayer.Direct.B"},
+        {"variance.R", "ViewLayer.Variance.R"},
+        {"sample_count.X", "ViewLayer.Sample Count.X"}};
+    for (const auto& [plain, blender] : pairs) {
+        INFO(plain);
+        const onde::Image a = onde::read_exr(folder / "plain.exr", {plain});
+        CHECK(a.pixels == onde::read_exr(folder / "blender.exr", {blender}).pixels);
+        CHECK(std::ranges::any_of(a.pixels, [](float number) { return number != 0; }));
+    }
+    CHECK_THROWS_AS(onde::read_exr(folder / "plain.exr", {"depth.R"}), onde::InputError);
 }
 
 TEST_CASE("plain trees and the watertight option render the production tree's picture") {
@@ -295,8 +336,7 @@ TEST_CASE(
                 equal += std::abs(pictures.back().pixels[i] - expected[i]) <=
                          1e-4f * std::abs(expected[i]);
             CHECK(equal >= expected.size() * 98 / 100);
-            const onde::Image counts =
-                onde::read_image(folder / fmt::format("{}.traversal-cost.exr", layout));
+            const onde::Image counts = onde::read_exr(folder / output, cost_names());
             for (size_t i = 0; i < counts.pixels.size(); i += 3)
                 CHECK(counts.pixels[i + 2] > 0); // every ray tests the root's boxes
         }

@@ -41,6 +41,24 @@ TEST_CASE("a 32-bit EXR gives back every float, for one, three and four channels
     }
 }
 
+TEST_CASE("an EXR of many layers gives back each channel by its name, in its depth") {
+    const ScratchFolder folder;
+    const Image colours = ramp(7, 5, 3), numbers = ramp(7, 5, 2);
+    const std::vector<ExrLayer> layers{{colours, {"R", "G", "B"}, ExrDepth::full_float},
+                                       {numbers, {"uv.U", "uv.V"}, ExrDepth::full_float},
+                                       {ramp(7, 5, 1), {"light.Y"}, ExrDepth::half_float}};
+    write_exr(folder / "a.exr", layers, {{"onde:seed", "7"}});
+    check_same(read_image(folder / "a.exr"), colours);
+    check_same(read_exr(folder / "a.exr", {"uv.U", "uv.V"}), numbers);
+    CHECK(read_exr(folder / "a.exr", {"uv.V", "R"}).pixels[1] == colours.pixels[0]);
+    CHECK(read_image_metadata(folder / "a.exr").at("onde:seed") == "7");
+    CHECK_THROWS_AS(read_exr(folder / "a.exr", {"uv.W"}), InputError);
+    const std::vector<ExrLayer> twice{layers[0], layers[0]};
+    CHECK_THROWS_AS(write_exr(folder / "b.exr", twice, {}), InputError);
+    const std::vector<ExrLayer> sizes{layers[0], {ramp(6, 5, 1), {"Z"}}};
+    CHECK_THROWS_AS(write_exr(folder / "b.exr", sizes, {}), InputError);
+}
+
 TEST_CASE("a 16-bit EXR is within half a unit in the last place of a half") {
     const ScratchFolder folder;
     const Image image = ramp(31, 11, 3);

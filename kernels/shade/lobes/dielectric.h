@@ -60,6 +60,9 @@ INLINE Boundary boundary_between(DielectricLobe lobe, real3 wo, real3 wi) {
     b.possible = (b.out > 0.0f) & (choose(b.below, -b.in, b.in) > 0.0f) & (wi.z != 0.0f);
     return b;
 }
+INLINE mask dielectric_is_smooth(DielectricLobe lobe) {
+    return lobe.alpha < SMOOTH_ALPHA;
+}
 
 INLINE LobeValue dielectric_eval(DielectricLobe lobe, real3 wo, real3 wi, mask lanes) {
     const mask rough = lanes & (lobe.alpha >= SMOOTH_ALPHA);

@@ -31,6 +31,9 @@ INLINE real diffuse_through(DiffuseLobe lobe, real cosine) {
 INLINE real diffuse_weight(DiffuseLobe lobe, real cosine) {
     return luminance3(lobe.albedo) * diffuse_through(lobe, cosine);
 }
+INLINE mask diffuse_is_smooth(DiffuseLobe lobe) {
+    return (mask)(0);
+}
 
 INLINE LobeValue diffuse_eval(DiffuseLobe lobe, real3 wo, real3 wi, mask lanes) {
     const mask above = lanes & (wi.z > 0.0f);

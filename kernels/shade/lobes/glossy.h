@@ -30,6 +30,9 @@ INLINE real3 glossy_fresnel(GlossyLobe lobe, real cosine) {
 INLINE real glossy_weight(GlossyLobe lobe, real cosine) {
     return max_real(luminance3(glossy_fresnel(lobe, cosine)), (real)(1e-9f));
 }
+INLINE mask glossy_is_smooth(GlossyLobe lobe) {
+    return lobe.alpha < SMOOTH_ALPHA;
+}
 
 // Fresnel's factor, and D G / (4 cos_o cos_i) times cos_i.
 INLINE LobeValue glossy_eval(GlossyLobe lobe, real3 wo, real3 wi, mask lanes) {

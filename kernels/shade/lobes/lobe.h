@@ -2,6 +2,7 @@
 // above. A lobe `name` is a file of this folder and a line of LOBES in shared/scene.h:
 //   name_load(view, point)              its numbers, from a material's
 //   name_weight(lobe, cosine)           about how much it reflects, for the choice among lobes
+//   name_is_smooth(lobe)                whether all of it is a delta part
 //   name_eval(lobe, wo, wi, lanes)      BSDF times cosine, and the density of name_sample, both
 //                                       without their delta part; nothing in other lanes
 //   name_sample(lobe, wo, choice, u)    a direction

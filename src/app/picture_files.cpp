@@ -1,0 +1,145 @@
+#include "app/picture_files.h"
+
+#include "app/picture.h"
+
+#include "core/log.h"
+#include "image/tone.h"
+
+#include <algorithm>
+
+namespace onde::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A channel beside the picture.
+struct Channel {
+    std::string name, letters;
+    Image numbers, shown;
+};
+
+/// Passes that Blender knows by other names than ours, capitalised.
+constexpr std::pair<std::string_view, std::string_view> BLENDER_PASSES[] = {
+    {RADIANCE.name, "Combined"},
+    {"uv", "UV"},
+    {"emission", "Emit"},
+    {"denoise-albedo", "Denoising Albedo"},
+    {"denoise-normal", "Denoising Normal"}};
+
+std::string blender_pass(std::string_view channel) {
+    const auto* known = std::ranges::find(BLENDER_PASSES, channel, [](auto& p) { return p.first; });
+    if (known != std::end(BLENDER_PASSES)) return std::string(known->second);
+    std::string pass(channel);
+    bool begins = true;
+    for (char& c : pass) {
+        if (begins) c = char(std::toupper(c));
+        begins = c == '-';
+        if (begins) c = ' ';
+    }
+    return pass;
+}
+
+/// "albedo."; compositors want letters, digits and underscores.
+std::string plain_layer(std::string_view channel) {
+    if (channel == RADIANCE.name) return "";
+    std::string layer(channel);
+    std::ranges::replace(layer, '-', '_');
+    return layer + ".";
+}
+
+/// As it is seen: directions by their octant and alpha as its plain numbers, as mattes are; colours
+/// as they are, others grey, where the largest is white.
+Image shown_channel(const Image& numbers, const FilmChannel& channel) {
+    const bool is_direction = channel.sums == AOV_NORMAL || channel.sums == AOV_DENOISE_NORMAL;
+    const bool is_matte = channel.sums == AOV_ALPHA;
+    const float largest = numbers.channels > 1 ? 1.0f : std::ranges::max(numbers.pixels);
+    Image shown(numbers.width, numbers.height, numbers.channels == 2 ? 3 : numbers.channels);
+    for (size_t i = 0; i < numbers.pixels.size(); i++) {
+        const float number = numbers.pixels[i];
+        shown.pixels[i / numbers.channels * shown.channels + i % numbers.channels] =
+            is_direction ? linear_from_srgb(0.5f + 0.5f * number)
+            : is_matte   ? linear_from_srgb(std::clamp(number, 0.0f, 1.0f))
+                         : number / std::max(largest, 1e-30f);
+    }
+    return shown;
+}
+
+Channel traversal_cost(Session& session) {
+    const TraversalCost map = session.traversal_cost();
+    spdlog::info("{} tests of boxes and primitives by camera rays, {:.1f} per pixel, {} at most",
+                 map.sum(), double(map.sum()) / (double(map.width) * map.height), map.largest());
+    return {TRAVERSAL_COST, "RGB", cost_numbers(map), heat_picture(map)};
+}
+
+Channel film_channel(Session& session, const FilmChannel& channel) {
+    Image numbers = session.film().develop(channel);
+    Image shown = shown_channel(numbers, channel);
+    return {std::string(channel.name), std::string(channel.letters), std::move(numbers),
+            std::move(shown)};
+}
+
+std::vector<Channel> requested_channels(Session& session, const RenderRequest& request) {
+    std::vector<Channel> channels;
+    for (const std::string& aov : request.aovs)
+        channels.push_back(aov == TRAVERSAL_COST ? traversal_cost(session)
+                                                 : film_channel(session, *find_channel(aov)));
+    return channels;
+}
+
+/// The picture first, then the channels: those of light as it has, others as floats.
+std::vector<ExrLayer> exr_layers(const Image& picture, const std::vector<Channel>& channels,
+                                 const RenderRequest& request) {
+    const ExrDepth depth = request.full_float ? ExrDepth::full_float : ExrDepth::half_float;
+    const std::string_view letters = picture.channels == 4 ? "RGBA" : "RGB";
+    std::vector<ExrLayer> layers{
+        {picture, exr_names(RADIANCE.name, letters, request.exr_names), depth}};
+    for (const Channel& channel : channels) {
+        const FilmChannel* known = find_channel(channel.name);
+        const bool is_light =
+            known && known->sums < AOV_COUNT && (LIGHT_AOVS >> known->sums & 1) != 0;
+        layers.push_back({channel.numbers,
+                          exr_names(channel.name, channel.letters, request.exr_names),
+                          is_light ? depth : ExrDepth::full_float});
+    }
+    return layers;
+}
+
+void tell_written(const fs::path& path) {
+    if (!is_standard_output(path)) spdlog::info("wrote {}", fs::absolute(path).string());
+}
+
+} // namespace
+
+std::vector<std::string> exr_names(std::string_view channel, std::string_view letters,
+                                   ExrNames names) {
+    const std::string layer = names == ExrNames::plain ? plain_layer(channel)
+                                                       : "ViewLayer." + blender_pass(channel) + ".";
+    std::vector<std::string> all;
+    for (const char letter : letters) all.push_back(layer + letter);
+    return all;
+}
+
+void write_picture_files(const std::vector<fs::path>& paths, Outputs& outputs, Session& session,
+                         const RenderRequest& request, const ImageMetadata& metadata) {
+    const Display display = requested_display(session, request);
+    const Image picture = session.picture();
+    const std::vector<Channel> channels = requested_channels(session, request);
+    const auto write = [&](const fs::path& path, const auto& write_to) {
+        outputs.attempt([&] {
+            write_to(path);
+            tell_written(path);
+        });
+    };
+    for (const fs::path& path : paths) {
+        write(path, [&](const fs::path& to) {
+            if (is_exr(to)) return write_exr(to, exr_layers(picture, channels, request), metadata);
+            write_png(to, straight_alpha(picture), display, metadata);
+        });
+        if (is_exr(path)) continue;
+        for (const Channel& channel : channels)
+            write(aov_path(path, channel.name),
+                  [&](const fs::path& to) { write_png(to, channel.shown, {}, metadata); });
+    }
+}
+
+} // namespace onde::app

@@ -1,0 +1,23 @@
+// The files of a picture: an .exr holds the picture and every channel that is asked for, beside a
+// .png each of them has a file of its own.
+#pragma once
+
+#include "app/render_request.h"
+
+#include "core/output.h"
+
+#include <string_view>
+
+namespace onde::app {
+
+/// The name of each component of a channel: "R", "albedo.R" and "depth.Z", or
+/// "ViewLayer.Combined.R", "ViewLayer.Albedo.R" and "ViewLayer.Depth.Z". letters: one for each.
+std::vector<std::string> exr_names(std::string_view channel, std::string_view letters,
+                                   ExrNames names);
+
+/// Writes the session's picture to each path, and says so.
+void write_picture_files(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
+                         Session& session, const RenderRequest& request,
+                         const ImageMetadata& metadata);
+
+} // namespace onde::app

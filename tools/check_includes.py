@@ -22,11 +22,12 @@ SRC_ARROWS = {
     "upload": {"core", "image", "scene", "accel", "gpu", "shared"},
     "render": {"core", "image", "scene", "accel", "gpu", "upload", "shared"},
     "film": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
+    "farm": {"core", "image", "scene", "accel", "gpu", "upload", "render", "film", "shared"},
     "chapter": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
     "session": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "film", "chapter", "shared"},
     "doctor": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "film", "chapter", "session", "shared",
                "probe"},
-    "app": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "film", "chapter", "session", "doctor",
+    "app": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "film", "farm", "chapter", "session", "doctor",
             "shared"},
 }
 SHADE = {"shared", "math", "trace", "shade"}

@@ -13,6 +13,7 @@
 #include "app/render_command.h"
 #include "app/thumbnail_command.h"
 #include "app/volumes_command.h"
+#include "app/work_command.h"
 
 #include "core/error.h"
 #include "core/log.h"
@@ -45,6 +46,8 @@ int main(int argc, char** argv) try {
     bool interrupted = false, unfit = false;
     onde::app::add_render_command(root, interrupted);
     onde::app::add_merge_command(root);
+    onde::app::add_work_command(root, interrupted);
+    onde::app::add_farm_command(root);
     onde::app::add_film_command(root);
     onde::app::add_info_command(root);
     onde::app::add_reference_command(root);

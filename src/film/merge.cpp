@@ -51,13 +51,12 @@ void FilmMerge::add_file(size_t file) {
     FilmReader& reader = open(file);
     const FilmHeader& header = reader.header();
     const uint32_t samples = std::max(header_.samples, header.samples);
-    if (file == 0)
-        header_ = header;
-    else
-        check_same(header, header_, files_[file].string());
+    if (file > 0) check_same(header, header_, files_[file].string());
     // What is not compared is that of the first name, in whatever order they come.
-    if (files_[file] <= *std::min_element(files_.begin(), files_.begin() + ptrdiff_t(file) + 1))
+    if (file == 0 || files_[file] < files_[first_name_]) {
         header_ = header;
+        first_name_ = file;
+    }
     header_.samples = samples;
     for (size_t part = 0; part < reader.parts().size(); part++) {
         reader.check_part(part);

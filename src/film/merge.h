@@ -48,6 +48,7 @@ class FilmMerge {
 
     std::vector<std::filesystem::path> files_;
     FilmHeader header_;
+    size_t first_name_ = 0; ///< file of the header
     std::vector<Source> sources_;
     std::vector<FilmRange> joined_;
     std::list<std::pair<size_t, FilmReader>> open_; ///< the last ones that were used

@@ -1,0 +1,217 @@
+#include "app/work_command.h"
+
+#include "app/film_request.h"
+#include "app/json.h"
+#include "app/picture.h"
+
+#include "core/error.h"
+#include "core/log.h"
+#include "core/output.h"
+#include "core/timer.h"
+#include "farm/work.h"
+#include "film/merge.h"
+#include "image/tone.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <thread>
+
+namespace onde::app {
+namespace {
+
+struct WorkRequest {
+    std::filesystem::path store;
+    RenderRequest render;
+    uint32_t unit = FILM_BLOCK;
+    std::string tiles;
+    double lease = 600, verify = 0;
+};
+
+/// Options of renders that say what workers share out by themselves.
+void check_work_request(const WorkRequest& r) {
+    const RenderRequest& render = r.render;
+    if (is_sequence(render))
+        throw InputError("a store is of one picture; give each frame a store of its own");
+    if (!render.film.empty() || !render.resume.empty() || render.checkpoint ||
+        !render.sample_range.empty() || !render.rectangle.empty() || render.choices.seconds)
+        throw InputError("workers share out samples and pixels by themselves; leave out --film, "
+                         "--resume, --checkpoint, --samples, --rectangle and --time");
+    check_request(render);
+    if (render.outputs.empty()) return;
+    check_outputs(named_outputs(render), render);
+}
+
+WorkPlan plan_of(const WorkRequest& request, const FilmHeader& header) {
+    WorkPlan plan{.header = header, .unit_samples = request.unit};
+    if (request.tiles.empty()) return plan;
+    const auto tiles = parse_pair(request.tiles, 'x', "--tiles");
+    if (!tiles)
+        throw InputError("--tiles {} is not of the form COLUMNSxROWS, for example 2x2",
+                         request.tiles);
+    std::tie(plan.columns, plan.rows) = *tiles;
+    return plan;
+}
+
+/// Renders units in one session after the other's.
+class UnitRenderer {
+  public:
+    UnitRenderer(Session& session, const RenderRequest& request, const StopOnInterrupt& interrupt)
+        : session_(session), request_(request), interrupt_(interrupt),
+          header_(session.film_header()) {}
+
+    const FilmHeader& header() const { return header_; }
+
+    bool render(const Rectangle& window, std::pair<uint32_t, uint32_t> samples,
+                const std::filesystem::path& file, const std::function<void()>& renew) {
+        constexpr double RENEWED_AFTER = 2; // seconds
+        RenderOptions options = session_.options();
+        std::tie(options.first_sample, options.samples) = samples;
+        options.picture_samples = header_.samples;
+        options.rectangle = window;
+        session_.set_options(options);
+        session_.clear();
+        Timer since;
+        const std::string name = fmt::format("samples {} to {}", samples.first, samples.second - 1);
+        const auto meanwhile = [&] {
+            if (since.seconds() < RENEWED_AFTER) return;
+            renew();
+            since = Timer();
+        };
+        const RenderOutcome outcome =
+            render_until_done(session_, name, interrupt_, request_.quiet, meanwhile);
+        if (outcome.interrupted) return false;
+        write_film(file, {header_, window, session_.film().contents()});
+        return true;
+    }
+
+  private:
+    Session& session_;
+    const RenderRequest& request_;
+    const StopOnInterrupt& interrupt_;
+    FilmHeader header_;
+};
+
+void write_picture(const std::filesystem::path& path, const Session& session,
+                   const RenderRequest& request, const std::filesystem::path& film) {
+    FilmMerge merge({film});
+    const Image picture = merge.picture();
+    RenderOutcome outcome;
+    outcome.samples = merge.samples();
+    const ImageMetadata metadata =
+        picture_metadata(session, merge.header().identity.scene, outcome);
+    if (is_exr(path))
+        write_exr(path, picture, metadata,
+                  request.full_float ? ExrDepth::full_float : ExrDepth::half_float);
+    else
+        write_png(path, straight_alpha(picture), requested_display(session, request), metadata);
+}
+
+/// Works until the film is complete; returns whether it was interrupted.
+bool work(Worker& worker, const StopOnInterrupt& interrupt) {
+    constexpr auto PAUSE = std::chrono::milliseconds(200);
+    while (!interrupt.requested()) {
+        const Worker::Step step = worker.step();
+        if (step == Worker::Step::done) return false;
+        if (step == Worker::Step::interrupted) return true;
+        if (step == Worker::Step::waiting) std::this_thread::sleep_for(PAUSE);
+    }
+    return true;
+}
+
+bool run_work(const WorkRequest& request) {
+    set_up_logging(request.render.quiet);
+    check_work_request(request);
+    const Store store(request.store, request.lease);
+    Machine machine = open_machine(request.render.machine);
+    Session session = open_session(machine, load_requested_scene(request.render), request.render);
+    if (!follows_pixels(session.options().integrator))
+        throw InputError("workers share out samples of single pixels, by --integrator path or "
+                         "whitted; {} has none",
+                         word_of(session.options().integrator));
+    StopOnInterrupt interrupt;
+    UnitRenderer renderer(session, request.render, interrupt);
+    Worker worker(store, plan_of(request, renderer.header()), request.verify / 100,
+                  [&](const Rectangle& window, std::pair<uint32_t, uint32_t> samples,
+                      const std::filesystem::path& file, const std::function<void()>& renew) {
+                      return renderer.render(window, samples, file, renew);
+                  });
+    const bool interrupted = work(worker, interrupt);
+    spdlog::info("{} units rendered and {} pairs joined here", worker.rendered(), worker.joined());
+    if (interrupted) return true;
+    Outputs outputs;
+    for (const auto& path : request.render.outputs)
+        outputs.attempt([&] { write_picture(path, session, request.render, store.film()); });
+    outputs.check();
+    spdlog::info("the film is complete: {}", std::filesystem::absolute(store.film()).string());
+    return false;
+}
+
+struct StatusRequest {
+    std::filesystem::path store;
+    bool json = false;
+    double lease = 600;
+};
+
+void run_status(const StatusRequest& request) {
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(request.store / "notes", ignored))
+        throw InputError("{}: no worker has begun here; start one with onde work",
+                         request.store.string());
+    const WorkState state = work_state(Store(request.store, request.lease));
+    const uint32_t left = state.units - state.done;
+    const double seconds = left * state.seconds_a_unit / std::max(state.workers, 1u);
+    if (request.json)
+        fmt::print("{}", json_line({{"units", state.units},
+                                    {"done", state.done},
+                                    {"left", left},
+                                    {"workers", state.workers},
+                                    {"workers_wanted", left},
+                                    {"seconds_per_unit", state.seconds_a_unit},
+                                    {"seconds_left", seconds},
+                                    {"complete", state.complete}}));
+    else
+        fmt::print(
+            "{} of {} units done, {} workers at it, {:.3g} s a unit, about {:.3g} s left{}\n",
+            state.done, state.units, state.workers, state.seconds_a_unit, seconds,
+            state.complete ? "; the film is complete" : "");
+}
+
+} // namespace
+
+void add_work_command(Command& root, bool& interrupted) {
+    Command command = root.add_command(
+        "work", "Render a picture together with other workers, by a folder that all of them see");
+    const auto request = std::make_shared<WorkRequest>(); // what runs later is copied
+    command.option("store", &request->store, "The folder; the film is STORE/film.exr in the end",
+                   {.value = "STORE", .required = true});
+    command.option("--unit", &request->unit,
+                   "Samples that a worker takes at once: 64, 128, 256, ...; the same for all",
+                   {.value = "N", .show_default = true});
+    command.option("--tiles", &request->tiles,
+                   "Cut the picture in so many tiles too (1x1); the same for all",
+                   {.value = "CxR"});
+    command.option("--lease", &request->lease,
+                   "A worker that gives no sign for so many seconds is given up",
+                   {.value = "SECONDS", .show_default = true, .least = 5, .most = 1e6});
+    command.option("--verify", &request->verify,
+                   "Render that share of the units again and compare their bits (0)",
+                   {.value = "PERCENT", .least = 0, .most = 100});
+    declare_options(command, request->render);
+    command.on_run([request, &interrupted] { interrupted = run_work(*request); });
+}
+
+void add_farm_command(Command& root) {
+    Command farm = root.add_command("farm", "What workers have done (see onde work)");
+    farm.require_command();
+    Command command = farm.add_command("status", "How far the work in a store is");
+    const auto request = std::make_shared<StatusRequest>();
+    command.option("store", &request->store, "The folder", {.value = "STORE", .required = true});
+    command.flag("--json", request->json, "Print it as one line of JSON");
+    command.option("--lease", &request->lease, "As the workers have it",
+                   {.value = "SECONDS", .show_default = true, .least = 5, .most = 1e6});
+    command.on_run([request] { run_status(*request); });
+}
+
+} // namespace onde::app

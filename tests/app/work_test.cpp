@@ -1,0 +1,113 @@
+// `onde work`: workers that share a folder make the film of one render, whatever becomes of them.
+#include "onde_process.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <random>
+
+using namespace onde::test;
+
+namespace {
+
+Arguments picture(const Arguments& first, const Arguments& more = {}) {
+    Arguments all = first;
+    all.insert(all.end(), {CORNELL, "--lanes", "8", "--size", "40x30", "--spp", "300", "--quiet"});
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+void check_ends_well(const Outcome& outcome) {
+    INFO(outcome.err);
+    CHECK(outcome.code == 0);
+}
+
+} // namespace
+
+TEST_CASE("workers that share a folder make the film and the picture of one render") {
+    const Folder folder;
+    check_ends_well(
+        onde::test::onde(folder, picture({"render"}, {"--film", "whole.exr", "-o", "whole.png"})));
+    for (const Arguments& cut : {Arguments{"--unit", "128"}, {"--tiles", "2x2"}}) {
+        fs::remove_all(folder / "store");
+        Arguments more = cut;
+        more.insert(more.end(), {"-o", "a.png"});
+        Process one(folder, picture({"work", "store"}, cut));
+        Process two(folder, picture({"work", "store"}, cut));
+        check_ends_well(onde::test::onde(folder, picture({"work", "store"}, more)));
+        check_ends_well(one.wait());
+        check_ends_well(two.wait());
+        CHECK(content(folder / "store/film.exr") == content(folder / "whole.exr"));
+        CHECK(content(folder / "a.png") == content(folder / "whole.png"));
+        CHECK(fs::is_empty(folder / "store/leases"));
+        const auto status =
+            nlohmann::json::parse(output_of(folder, {"farm", "status", "store", "--json"}));
+        CHECK(status.at("complete") == true);
+        CHECK(status.at("left") == 0);
+        CHECK(status.at("units") == (cut.front() == "--unit" ? 3 : 20));
+    }
+}
+
+TEST_CASE("a worker that is killed costs its lease, and the film has the same bytes") {
+    const Folder folder;
+    check_ends_well(onde::test::onde(folder, picture({"render"}, {"--film", "whole.exr"})));
+    const Arguments worker = picture({"work", "store"}, {"--tiles", "3x2", "--lease", "5"});
+    std::mt19937 generator(11);
+    for (int kill = 0; kill < 3; ++kill) {
+        Process process(folder, worker);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100 + generator() % 400));
+        process.send(SIGKILL);
+        process.wait();
+    }
+    Process other(folder, worker);
+    check_ends_well(onde::test::onde(folder, worker));
+    check_ends_well(other.wait());
+    CHECK(content(folder / "store/film.exr") == content(folder / "whole.exr"));
+}
+
+TEST_CASE("a worker that is told to end gives its lease back") {
+    const Folder folder;
+    Arguments long_work = picture({"work", "store"});
+    *std::ranges::find(long_work, "300") = "100000";
+    Process process(folder, long_work);
+    for (int i = 0; i < 3000 && !fs::exists(folder / "store/leases/t0000-l00-i000000"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    process.send(SIGINT);
+    CHECK(process.wait().code == 128 + SIGINT);
+    CHECK(fs::is_empty(folder / "store/leases"));
+}
+
+TEST_CASE("units that are rendered again are compared, and a fault is named") {
+    const Folder folder;
+    const Arguments worker = picture({"work", "store"}, {"--verify", "100"});
+    check_ends_well(onde::test::onde(folder, worker));
+    const std::string first = content(folder / "store/notes/t0000-l00-i000002.first");
+    CHECK(first.substr(0, 16) ==
+          content(folder / "store/notes/t0000-l00-i000002.second").substr(0, 16));
+    fs::remove(folder / "store/notes/t0000-l00-i000002.second");
+    folder.write("store/notes/t0000-l00-i000002.first", "0123456789abcdef a faulty host (1)");
+    const Outcome outcome = onde::test::onde(folder, worker);
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.err, Catch::Contains("samples 128 to 191 of tile 0 have other bits") &&
+                                Catch::Contains("a faulty host (1)"));
+}
+
+TEST_CASE("what workers can't do together is said in one sentence") {
+    const Folder folder;
+    const auto check = [&](const Arguments& arguments, const std::string& words) {
+        const Outcome outcome = onde::test::onde(folder, arguments);
+        INFO(outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::Contains(words));
+    };
+    check_ends_well(onde::test::onde(folder, picture({"work", "store"})));
+    check(picture({"work", "store"}, {"--seed", "5"}), "film is of another seed");
+    check(picture({"work", "store"}, {"--unit", "128"}), "this store was begun with");
+    check(picture({"work", "new"}, {"--unit", "192"}), "use 64, 128, 256");
+    check(picture({"work", "new"}, {"--tiles", "50x1"}), "do not fit a picture");
+    check(picture({"work", "new"}, {"--film", "a.exr"}), "leave out --film");
+    check(picture({"work", "new"}, {"--turntable", "2"}), "a store is of one picture");
+    check(picture({"work", "new"}, {"--integrator", "light"}), "light has none");
+    check({"farm", "status", "nothing"}, "no worker has begun here");
+}

@@ -25,6 +25,19 @@ RenderOutcome render_until_done(Session& session, const std::string& name,
     return outcome;
 }
 
+ShownPicture shown_picture(Session& session, Outputs& outputs) {
+    ShownPicture shown;
+    if (session.has_denoiser())
+        outputs.attempt([&] {
+            DenoisedImage denoised = session.denoised();
+            shown = {std::move(denoised.picture), session.picture(), std::move(denoised.denoiser),
+                     denoised.seconds};
+            spdlog::info("denoised by {} in {:.2f} s", shown.denoiser, shown.seconds);
+        });
+    if (shown.denoiser.empty()) shown.picture = session.picture();
+    return shown;
+}
+
 ImageMetadata picture_metadata(const Session& session, const std::string& hash,
                                const RenderOutcome& outcome) {
     return {{"onde:scene_hash", hash},

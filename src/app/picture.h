@@ -3,6 +3,7 @@
 
 #include "app/interrupt.h"
 #include "app/render_request.h"
+#include "core/output.h"
 
 namespace onde::app {
 
@@ -14,6 +15,16 @@ void tell_kernels(const Session& session, const gpu::BuildReport& kernels);
 RenderOutcome render_until_done(Session& session, const std::string& name,
                                 const StopOnInterrupt& interrupt, bool quiet,
                                 const std::function<void()>& meanwhile = {});
+
+/// What a session shows, by the denoiser where its options ask for one.
+struct ShownPicture {
+    Image picture{}, noisy{}; ///< the latter where there is a denoiser
+    std::string denoiser{};   ///< its name, or empty
+    double seconds = 0;       ///< that it took
+};
+
+/// A denoiser that fails costs no picture: it has its noise then, and `outputs` keep the sentence.
+ShownPicture shown_picture(Session& session, Outputs& outputs);
 
 /// What a file of the session's picture says about it. `hash` is that of the scene.
 ImageMetadata picture_metadata(const Session& session, const std::string& hash,

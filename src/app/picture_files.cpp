@@ -1,7 +1,5 @@
 #include "app/picture_files.h"
 
-#include "app/picture.h"
-
 #include "core/log.h"
 #include "image/tone.h"
 
@@ -23,6 +21,7 @@ constexpr std::pair<std::string_view, std::string_view> BLENDER_PASSES[] = {
     {RADIANCE.name, "Combined"},
     {"uv", "UV"},
     {"emission", "Emit"},
+    {"noisy", "Noisy Image"},
     {"denoise-albedo", "Denoising Albedo"},
     {"denoise-normal", "Denoising Normal"}};
 
@@ -86,13 +85,16 @@ std::vector<Channel> requested_channels(Session& session, const RenderRequest& r
     return channels;
 }
 
-/// The picture first, then the channels: those of light as it has, others as floats.
-std::vector<ExrLayer> exr_layers(const Image& picture, const std::vector<Channel>& channels,
+/// The picture first, and as it was before it was denoised, then the channels: those of light as it
+/// has, others as floats.
+std::vector<ExrLayer> exr_layers(const ShownPicture& shown, const std::vector<Channel>& channels,
                                  const RenderRequest& request) {
     const ExrDepth depth = request.full_float ? ExrDepth::full_float : ExrDepth::half_float;
-    const std::string_view letters = picture.channels == 4 ? "RGBA" : "RGB";
+    const std::string_view letters = shown.picture.channels == 4 ? "RGBA" : "RGB";
     std::vector<ExrLayer> layers{
-        {picture, exr_names(RADIANCE.name, letters, request.exr_names), depth}};
+        {shown.picture, exr_names(RADIANCE.name, letters, request.exr_names), depth}};
+    if (!shown.denoiser.empty())
+        layers.push_back({shown.noisy, exr_names("noisy", letters, request.exr_names), depth});
     for (const Channel& channel : channels) {
         const FilmChannel* known = find_channel(channel.name);
         const bool is_light =
@@ -120,9 +122,9 @@ std::vector<std::string> exr_names(std::string_view channel, std::string_view le
 }
 
 void write_picture_files(const std::vector<fs::path>& paths, Outputs& outputs, Session& session,
-                         const RenderRequest& request, const ImageMetadata& metadata) {
+                         const RenderRequest& request, const ShownPicture& shown,
+                         const ImageMetadata& metadata) {
     const Display display = requested_display(session, request);
-    const Image picture = session.picture();
     const std::vector<Channel> channels = requested_channels(session, request);
     const auto write = [&](const fs::path& path, const auto& write_to) {
         outputs.attempt([&] {
@@ -132,8 +134,8 @@ void write_picture_files(const std::vector<fs::path>& paths, Outputs& outputs, S
     };
     for (const fs::path& path : paths) {
         write(path, [&](const fs::path& to) {
-            if (is_exr(to)) return write_exr(to, exr_layers(picture, channels, request), metadata);
-            write_png(to, straight_alpha(picture), display, metadata);
+            if (is_exr(to)) return write_exr(to, exr_layers(shown, channels, request), metadata);
+            write_png(to, straight_alpha(shown.picture), display, metadata);
         });
         if (is_exr(path)) continue;
         for (const Channel& channel : channels)

@@ -2,9 +2,7 @@
 // .png each of them has a file of its own.
 #pragma once
 
-#include "app/render_request.h"
-
-#include "core/output.h"
+#include "app/picture.h"
 
 #include <string_view>
 
@@ -15,9 +13,9 @@ namespace onde::app {
 std::vector<std::string> exr_names(std::string_view channel, std::string_view letters,
                                    ExrNames names);
 
-/// Writes the session's picture to each path, and says so.
+/// Writes what the session shows to each path, and says so.
 void write_picture_files(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
-                         Session& session, const RenderRequest& request,
+                         Session& session, const RenderRequest& request, const ShownPicture& shown,
                          const ImageMetadata& metadata);
 
 } // namespace onde::app

@@ -62,9 +62,12 @@ void make_picture(Session& session, const Shot& shot, RenderReport report, const
     work.interrupted = report.outcome.interrupted || report.outcome.samples == 0;
     if (report.outcome.samples == 0) return;
 
-    const Timer writing;
     work.outputs.attempt([&] { keeper.keep(); });
-    write_picture_files(shot.outputs, work.outputs, session, request,
+    const ShownPicture shown = shown_picture(session, work.outputs);
+    report.denoiser = shown.denoiser;
+    report.denoise_seconds = shown.seconds;
+    const Timer writing;
+    write_picture_files(shot.outputs, work.outputs, session, request, shown,
                         picture_metadata(session, report.scene_hash, report.outcome));
     work.done += !work.interrupted;
     report.write_seconds = writing.seconds();

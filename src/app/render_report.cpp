@@ -81,6 +81,8 @@ void print_report(Session& session, const RenderReport& r, std::FILE* to) {
     for (const auto& [name, time] : kernel_times(session, r))
         fmt::print(to, "kernel    {:<12} {:8.3f} s in {} launches\n", name, time.seconds,
                    time.launches);
+    if (!r.denoiser.empty())
+        fmt::print(to, "denoise   by {} in {:.3f} s\n", r.denoiser, r.denoise_seconds);
     fmt::print(to, "total     {:.3f} s\n", r.total_seconds);
 }
 
@@ -127,6 +129,10 @@ Json report_json(Session& session, const RenderReport& r) {
         {"invalid_samples", session.film().find_invalid().count},
     };
     if (r.at) json["at"] = *r.at;
+    if (!r.denoiser.empty()) {
+        json["denoiser"] = r.denoiser;
+        json["denoise_seconds"] = r.denoise_seconds;
+    }
     for (const auto& [name, time] : kernel_times(session, r))
         json["kernels"][name] = {{"seconds", time.seconds}, {"launches", time.launches}};
     return json;

@@ -19,6 +19,8 @@ struct RenderReport {
     std::vector<std::filesystem::path> outputs{};
     std::optional<double> at{}; ///< seconds of the animation
     double load_seconds = 0, write_seconds = 0, total_seconds = 0;
+    std::string denoiser{}; ///< empty: none
+    double denoise_seconds = 0;
     gpu::BuildReport kernels{.from_cache = true}; ///< that were built for it
     RenderOutcome outcome{};
     std::map<std::string, gpu::KernelTime> kernels_before{}; ///< of the session's other pictures

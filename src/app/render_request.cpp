@@ -66,6 +66,7 @@ void declare_picture(Command& command, RenderRequest& r) {
         "Further channels: in an .exr beside the picture's own, to OUTPUT.WORD.png of a\n"
         ".png; docs/scene-format.md says what each holds",
         {.value = "WORD", .delimiter = ',', .words = aov_words()});
+    declare_denoiser(command, r);
     declare_display(command, r);
     command.choice(
         "--exr-names", r.exr_names,
@@ -200,6 +201,19 @@ void declare_display(Command& command, RenderRequest& r) {
                    "multiplied in .exr, straight in .png (environment)");
 }
 
+void declare_denoiser(Command& command, RenderRequest& r) {
+    command.choice_or_alone("--denoise", r.denoiser.denoiser, Denoiser::automatic,
+                            "Take the noise from the picture: by Open Image Denoise where its "
+                            "library is found,\nelse our own denoiser; alone it means auto (off)");
+    command.option("--denoiser-library", &r.denoiser.library,
+                   "libOpenImageDenoise.so.2, or a folder that has it (that of Python's pyoidn, or "
+                   "the system's)",
+                   {.value = "PATH"});
+    command.choice("--denoise-quality", r.denoiser.quality,
+                   "What guides Open Image Denoise is denoised first, which takes 7 times as long, "
+                   "or is not (high)");
+}
+
 void declare_machine(Command& command, MachineRequest& r) {
     command.option("--device", &r.device,
                    "Device by number or part of its name (see onde devices)");
@@ -285,11 +299,17 @@ Session open_session(Machine& machine, Scene scene, const RenderRequest& request
     for (const std::string& aov : request.aovs)
         if (const FilmChannel* channel = find_channel(aov); channel && channel->sums < AOV_COUNT)
             choices.aovs |= 1u << channel->sums;
+    if (request.denoiser.denoiser != Denoiser::off) {
+        const IntegratorKind own = scene.settings.integrator.value_or(IntegratorKind::path);
+        check_denoisable(choices.integrator.value_or(own));
+        choices.aovs |= denoiser_aovs();
+    }
     const ResolvedOptions resolved = resolve_options(choices, scene, machine.device.facts());
     scene.notes.insert(scene.notes.end(), resolved.notes.begin(), resolved.notes.end());
     SessionOptions options{.render = resolved.options, .bvh = request.bvh};
     options.bvh.layout = request.layout.value_or(BvhLayout::wide);
     options.choose_layout = !request.layout;
+    options.denoiser = request.denoiser;
     options.timed = request.stats || !request.json.empty();
     options.on_note = extras.on_note;
     options.further_features = extras.features;

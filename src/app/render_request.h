@@ -48,6 +48,7 @@ struct RenderRequest {
     std::optional<ToneMap> tone_map;
     Studio studio = Studio::automatic;
     GroundPlane ground = GroundPlane::automatic;
+    DenoiserOptions denoiser;
     ExrNames exr_names = ExrNames::plain;
     bool full_float = false;
     std::filesystem::path json;
@@ -67,6 +68,9 @@ void declare_light(Command& command, RenderRequest& request);
 
 /// The options of how light is shown in a picture.
 void declare_display(Command& command, RenderRequest& request);
+
+/// The options of what takes the noise from a picture.
+void declare_denoiser(Command& command, RenderRequest& request);
 
 /// Declares every option of `onde render` on its subcommand.
 void declare_options(Command& command, RenderRequest& request);

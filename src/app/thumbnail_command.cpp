@@ -103,8 +103,11 @@ bool make_picture(const Workshop& workshop, const fs::path& file, const fs::path
     const RenderOutcome outcome =
         render_until_done(session, {}, workshop.interrupt, workshop.request.quiet);
     if (outcome.interrupted) return false;
-    write_png(path, straight_alpha(session.picture()), requested_display(session, workshop.request),
+    Outputs outputs;
+    const Image picture = shown_picture(session, outputs).picture;
+    write_png(path, straight_alpha(picture), requested_display(session, workshop.request),
               picture_metadata(session, scene_hash(session.scene()), outcome));
+    outputs.check();
     return true;
 }
 
@@ -205,6 +208,7 @@ void add_thumbnail_command(Command& root, bool& interrupted) {
     declare_load(command, request->render.load);
     declare_machine(command, request->render.machine);
     declare_light(command, request->render);
+    declare_denoiser(command, request->render);
     declare_display(command, request->render);
     command.flag("--quiet", request->render.quiet, "Print warnings and errors only");
     command.on_run([request, &interrupted] { interrupted = run(*request); });

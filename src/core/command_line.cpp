@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -70,6 +71,18 @@ struct NumberOf<std::optional<T>> {
     using Type = T;
 };
 
+/// The words after the program's name, each option that stands alone with the value that it means.
+std::vector<std::string> with_values(std::vector<std::string> words, const AloneOptions& options) {
+    for (size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
+        const auto found = options.find(words[i]);
+        if (found == options.end()) continue;
+        const AloneOption& option = found->second;
+        if (i + 1 == words.size() || std::ranges::count(option.words, words[i + 1]) == 0)
+            words[i] += "=" + option.alone;
+    }
+    return words;
+}
+
 void apply(const OptionRules& rules, CLI::Option& option) {
     if (rules.value) option.type_name(rules.value);
     option.required(rules.required);
@@ -83,7 +96,7 @@ void apply(const OptionRules& rules, CLI::Option& option) {
 } // namespace
 
 Command Command::add_command(const std::string& name, const std::string& help) {
-    return Command(*app_->add_subcommand(name, help));
+    return Command(*app_->add_subcommand(name, help), *alone_);
 }
 
 void Command::require_command() {
@@ -125,7 +138,9 @@ CommandLine::CommandLine(const std::string& name, const std::string& help,
 CommandLine::~CommandLine() = default;
 
 bool CommandLine::run(int argc, char** argv) try {
-    app_->parse(argc, argv);
+    std::vector<std::string> words = with_values({argv + std::min(argc, 1), argv + argc}, alone_);
+    std::ranges::reverse(words); // as the library takes them
+    app_->parse(std::move(words));
     return true;
 } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0)

@@ -40,10 +40,17 @@ struct OptionRules {
     std::vector<std::string> words = {}; ///< the only ones that are taken, if not empty
 };
 
+/// Options that may stand alone, with the words that they take and the one that they mean then.
+struct AloneOption {
+    std::string alone;
+    std::vector<std::string> words;
+};
+using AloneOptions = std::map<std::string, AloneOption>;
+
 /// A handle to a command, which lives as long as its CommandLine.
 class Command {
   public:
-    explicit Command(CLI::App& app) : app_(&app) {}
+    Command(CLI::App& app, AloneOptions& alone) : app_(&app), alone_(&alone) {}
 
     Command add_command(const std::string& name, const std::string& help);
     /// Without one of its commands, a group of them is wrong.
@@ -67,6 +74,17 @@ class Command {
     void choice(const std::string& name, std::optional<Enum>& field, const std::string& help) {
         choose<Enum>(
             name, [&field](Enum value) { field = value; }, help);
+    }
+
+    /// The same of "--name", which may stand alone for `alone`: what comes behind it and is none of
+    /// the words is not its value. An option has the same words in every command.
+    template <class Enum>
+    requires WordedEnum<Enum>
+    void choice_or_alone(const std::string& name, Enum& field, Enum alone,
+                         const std::string& help) {
+        choice(name, field, help);
+        const std::vector<std::string_view> words = all_words<Enum>();
+        (*alone_)[name] = {std::string(word_of(alone)), {words.begin(), words.end()}};
     }
 
     /// An option that takes one of a few words. `words` must outlive the parsing.
@@ -96,6 +114,7 @@ class Command {
                          const std::string& help, const OptionRules& rules);
 
     CLI::App* app_;
+    AloneOptions* alone_;
 };
 
 /// A program's commands, or its options if it has none.
@@ -104,7 +123,7 @@ class CommandLine {
     CommandLine(const std::string& name, const std::string& help, const std::string& version = {});
     ~CommandLine();
 
-    Command root() { return Command(*app_); }
+    Command root() { return Command(*app_, alone_); }
 
     /// Parses and runs the command. False when --help or --version was asked for, and printed.
     /// Throws InputError, one sentence that names what is wrong, and what the command throws.
@@ -112,6 +131,7 @@ class CommandLine {
 
   private:
     std::unique_ptr<CLI::App> app_;
+    AloneOptions alone_;
 };
 
 /// The numbers of "640x480" or "3,4", the value of `option`; nothing for any other text. Throws

@@ -47,6 +47,7 @@ Session::Session(gpu::Programs& programs, Scene scene, SessionOptions options)
     check_screen(camera(), options_.render.width, options_.render.height);
     for (const std::string& sentence : scene_.notes) note(sentence);
     note_mapping();
+    denoiser_ = make_denoiser();
     fit_waves({}); // what does not fit at all is found before the scene is packed
     if (options_.choose_layout)
         options_.bvh.layout =
@@ -64,6 +65,14 @@ Session::~Session() = default;
 void Session::note(std::string sentence) {
     if (options_.on_note) options_.on_note(sentence);
     notes_.push_back(std::move(sentence));
+}
+
+std::unique_ptr<PictureDenoiser> Session::make_denoiser() {
+    if (options_.denoiser.denoiser == Denoiser::off) return nullptr;
+    check_denoisable(options_.render.integrator);
+    return std::make_unique<PictureDenoiser>(
+        programs_, options_.denoiser, options_.render.width,
+        [&](std::string sentence) { note(std::move(sentence)); });
 }
 
 void Session::note_mapping() {
@@ -156,10 +165,22 @@ Film& Session::film() {
     return integrator_->film();
 }
 
-Image Session::picture() {
-    const Image radiance = film().develop();
+/// Before a transparent background, with the film's alpha as the fourth channel.
+Image Session::before_background(const Image& radiance) {
     if (options_.render.background != Background::transparent) return radiance;
     return with_alpha(radiance, film().develop(*find_channel("alpha")));
+}
+
+Image Session::picture() {
+    return before_background(film().develop());
+}
+
+DenoisedImage Session::denoised() {
+    if (!denoiser_)
+        throw InputError("the picture can't be denoised: the options ask for no denoiser");
+    const Timer timer;
+    const DenoisedPicture denoised = denoiser_->denoise(film());
+    return {before_background(denoised.radiance), denoiser_->name(), timer.seconds()};
 }
 
 void Session::clear() {
@@ -229,13 +250,16 @@ void Session::set_options(const RenderOptions& options) {
                          scene_.cameras.size());
     check_screen(scene_.cameras[options.camera], options.width, options.height);
     const RenderOptions before = std::exchange(options_.render, options);
-    if (same_but_for_length(before, options)) return;
+    const bool same_film = same_but_for_length(before, options);
     try {
-        fit_waves(packed().device_buffers());
+        if (!same_film) fit_waves(packed().device_buffers());
+        if (options.width != before.width || options.integrator != before.integrator)
+            denoiser_ = make_denoiser();
     } catch (...) {
         options_.render = before;
         throw;
     }
+    if (same_film) return;
     integrator_.reset();
     if (options.integrator != before.integrator) note_mapping();
 }

@@ -9,6 +9,7 @@
 #include "render/traversal_cost.h"
 #include "scene/scene.h"
 #include "session/inspect.h"
+#include "session/picture_denoiser.h"
 
 #include <functional>
 #include <memory>
@@ -30,13 +31,21 @@ struct SessionOptions {
     /// Programs are built for these beside what the scene has, as far as the way in which its data
     /// lies allows, so that sessions of scenes that are not yet known share them.
     std::optional<SceneFeatures> further_features{};
-    bool timed = false; ///< kernel_times() are taken, of a device with gpu::Profiling::on
+    DenoiserOptions denoiser{}; ///< if not off, render.aovs has denoiser_aovs()
+    bool timed = false;         ///< kernel_times() are taken, of a device with gpu::Profiling::on
     /// Told each note as it arises, before what it announces is done.
     std::function<void(const std::string&)> on_note{};
 };
 
 /// A sample of a pixel, replayed: a path's bounces, or Whitted's ray tree.
 using SampleReport = std::variant<PathReport, TreeReport>;
+
+/// A session's picture without its noise, and what it took.
+struct DenoisedImage {
+    Image picture;
+    std::string denoiser; ///< its name
+    double seconds = 0;
+};
 
 class Session {
   public:
@@ -51,6 +60,8 @@ class Session {
     const gpu::Device& device() const { return programs_.device(); }
     const Scene& scene() const { return scene_; }
     const RenderOptions& options() const { return options_.render; }
+    /// Whether a denoiser is asked for.
+    bool has_denoiser() const { return denoiser_ != nullptr; }
     const Camera& camera() const { return scene_.cameras.at(options_.render.camera); }
     const PackedScene& packed();
     /// Seconds of the last packing, the tree's build included.
@@ -72,6 +83,10 @@ class Session {
     /// The film's mean radiance so far; before a transparent background with alpha as the fourth
     /// channel, by which the others are multiplied.
     Image picture();
+    /// The same without its noise, by the denoiser that the options ask for; alpha stays as it is.
+    /// Throws InputError where they ask for none or where the library fails, DeviceError where the
+    /// device does.
+    DenoisedImage denoised();
     /// Begins anew: an empty film, nothing counted.
     void clear();
     /// The film, to go on with in another session, on any device, in waves of any size.
@@ -109,6 +124,9 @@ class Session {
   private:
     void note(std::string sentence);
     void note_mapping();
+    /// That which the options ask for, if any. Throws InputError.
+    std::unique_ptr<PictureDenoiser> make_denoiser();
+    Image before_background(const Image& radiance);
     void note_waves(uint32_t asked);
     SceneFeatures features_of(const PackedScene& packed) const;
     bool halve_waves();
@@ -127,7 +145,8 @@ class Session {
     double pack_seconds_ = 0;
     SceneChange change_ = SceneChange::none; ///< that the device scene lacks
     std::unique_ptr<DeviceScene> placed_;
-    std::unique_ptr<Integrator> integrator_; ///< null until it is needed
+    std::unique_ptr<PictureDenoiser> denoiser_; ///< where the options ask for one
+    std::unique_ptr<Integrator> integrator_;    ///< null until it is needed
 };
 
 } // namespace onde

@@ -21,6 +21,7 @@ struct Program {
     std::vector<std::string> names;
     Colour colour = Colour::red;
     std::optional<Colour> edge;
+    Colour varnish = Colour::red;
     bool twice = false;
     bool quiet = false;
     int runs = 0;
@@ -38,6 +39,7 @@ struct Program {
         paint.option("--names", &names, "Of painters", {.delimiter = ','});
         paint.choice("--colour", colour, "Of the paint");
         paint.choice("--edge", edge, "Colour of the edge");
+        paint.choice_or_alone("--varnish", varnish, Colour::blue, "Colour of a last coat");
         paint.choice("--coats", twice, coats, "How many");
         paint.flag("--quiet", quiet, "Say nothing");
         paint.on_run([this] { ++runs; });
@@ -49,6 +51,24 @@ struct Program {
 };
 
 } // namespace
+
+TEST_CASE("an option may stand alone before anything that is no value of it") {
+    const auto varnish_of = [](std::vector<std::string> words) {
+        Program program;
+        words.insert(words.begin(), "paint");
+        CHECK(program.call(words));
+        CHECK(program.file == "wall.png");
+        return program.varnish;
+    };
+    CHECK(varnish_of({"wall.png"}) == Colour::red);
+    CHECK(varnish_of({"--varnish", "wall.png"}) == Colour::blue);
+    CHECK(varnish_of({"--varnish", "red", "wall.png"}) == Colour::red);
+    CHECK(varnish_of({"--varnish=red", "wall.png"}) == Colour::red);
+    CHECK(varnish_of({"wall.png", "--varnish"}) == Colour::blue);
+    CHECK(varnish_of({"--varnish", "--quiet", "wall.png"}) == Colour::blue);
+    Program program;
+    CHECK_THROWS_AS(program.call({"paint", "--varnish=green", "wall.png"}), InputError);
+}
 
 TEST_CASE("a command runs once, with every option where it belongs") {
     Program program;

@@ -1,0 +1,2 @@
+add_executable(onde_bench_denoise ${CMAKE_CURRENT_LIST_DIR}/denoise.cpp)
+target_link_libraries(onde_bench_denoise PRIVATE onde_session onde_bench_shared)

@@ -3,6 +3,7 @@
 #include "app/compare_command.h"
 #include "app/devices_command.h"
 #include "app/doctor_command.h"
+#include "app/farm_command.h"
 #include "app/film_command.h"
 #include "app/gallery_command.h"
 #include "app/info_command.h"

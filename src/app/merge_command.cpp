@@ -1,6 +1,6 @@
 #include "app/merge_command.h"
 
-#include "app/render_request.h"
+#include "app/picture_files.h"
 
 #include "core/error.h"
 #include "core/files.h"
@@ -22,6 +22,7 @@ struct MergeOptions {
     fs::path output, picture;
     std::optional<float> exposure;
     std::optional<ToneMap> tone_map;
+    ExrNames names = ExrNames::plain;
     bool full_float = false;
 };
 
@@ -68,6 +69,23 @@ void check_outputs(MergeOptions& options, const std::vector<fs::path>& parts) {
     }
 }
 
+/// The picture, and every AOV that the film has.
+std::vector<ExrLayer> layers_of(FilmMerge& merge, const Image& picture,
+                                const MergeOptions& options) {
+    std::vector<FilmChannel> channels;
+    for (const FilmChannel& channel : FILM_CHANNELS)
+        if (channel.sums < AOV_COUNT && (merge.header().identity.aovs >> channel.sums & 1) != 0)
+            channels.push_back(channel);
+    const std::vector<Image> images = merge.develop(channels);
+    const ExrDepth depth = options.full_float ? ExrDepth::full_float : ExrDepth::half_float;
+    const std::string_view letters = picture.channels == 4 ? "RGBA" : "RGB";
+    std::vector<ExrLayer> layers{exr_layer(RADIANCE.name, letters, picture, depth, options.names)};
+    for (size_t i = 0; i < channels.size(); i++)
+        layers.push_back(
+            exr_layer(channels[i].name, channels[i].letters, images[i], depth, options.names));
+    return layers;
+}
+
 void write_picture(const MergeOptions& options, FilmMerge& merge) {
     const FilmHeader& header = merge.header();
     const ImageMetadata metadata{{"onde:scene_hash", header.identity.scene},
@@ -81,8 +99,7 @@ void write_picture(const MergeOptions& options, FilmMerge& merge) {
     display.tone_map = options.tone_map.value_or(display.tone_map);
     const Image picture = merge.picture();
     if (is_exr(options.picture))
-        write_exr(options.picture, picture, metadata,
-                  options.full_float ? ExrDepth::full_float : ExrDepth::half_float);
+        write_exr(options.picture, layers_of(merge, picture, options), metadata);
     else
         write_png(options.picture, straight_alpha(picture), display, metadata);
 }
@@ -124,6 +141,7 @@ void add_merge_command(Command& root) {
                    {.value = "STOPS", .least = -64, .most = 64});
     command.choice("--tone-map", options->tone_map,
                    "How bright light is shown in the .png (as the render has it)");
+    command.choice("--exr-names", options->names, "Names of the channels of an .exr picture");
     command.flag("--float", options->full_float, "Write a 32-bit .exr picture instead of 16-bit");
     command.on_run([options] { run_merge(*options); });
 }

@@ -85,24 +85,18 @@ std::vector<Channel> requested_channels(Session& session, const RenderRequest& r
     return channels;
 }
 
-/// The picture first, and as it was before it was denoised, then the channels: those of light as it
-/// has, others as floats.
+/// The picture first, and as it was before it was denoised, then the channels.
 std::vector<ExrLayer> exr_layers(const ShownPicture& shown, const std::vector<Channel>& channels,
                                  const RenderRequest& request) {
     const ExrDepth depth = request.full_float ? ExrDepth::full_float : ExrDepth::half_float;
     const std::string_view letters = shown.picture.channels == 4 ? "RGBA" : "RGB";
     std::vector<ExrLayer> layers{
-        {shown.picture, exr_names(RADIANCE.name, letters, request.exr_names), depth}};
+        exr_layer(RADIANCE.name, letters, shown.picture, depth, request.exr_names)};
     if (!shown.denoiser.empty())
         layers.push_back({shown.noisy, exr_names("noisy", letters, request.exr_names), depth});
-    for (const Channel& channel : channels) {
-        const FilmChannel* known = find_channel(channel.name);
-        const bool is_light =
-            known && known->sums < AOV_COUNT && (LIGHT_AOVS >> known->sums & 1) != 0;
-        layers.push_back({channel.numbers,
-                          exr_names(channel.name, channel.letters, request.exr_names),
-                          is_light ? depth : ExrDepth::full_float});
-    }
+    for (const Channel& channel : channels)
+        layers.push_back(
+            exr_layer(channel.name, channel.letters, channel.numbers, depth, request.exr_names));
     return layers;
 }
 
@@ -119,6 +113,15 @@ std::vector<std::string> exr_names(std::string_view channel, std::string_view le
     std::vector<std::string> all;
     for (const char letter : letters) all.push_back(layer + letter);
     return all;
+}
+
+ExrLayer exr_layer(std::string_view channel, std::string_view letters, const Image& numbers,
+                   ExrDepth depth_of_light, ExrNames names) {
+    const FilmChannel* known = find_channel(channel);
+    const bool is_light = channel == RADIANCE.name || (known && known->sums < AOV_COUNT &&
+                                                       (LIGHT_AOVS >> known->sums & 1) != 0);
+    return {numbers, exr_names(channel, letters, names),
+            is_light ? depth_of_light : ExrDepth::full_float};
 }
 
 void write_picture_files(const std::vector<fs::path>& paths, Outputs& outputs, Session& session,

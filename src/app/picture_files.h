@@ -13,6 +13,10 @@ namespace onde::app {
 std::vector<std::string> exr_names(std::string_view channel, std::string_view letters,
                                    ExrNames names);
 
+/// A channel as an .exr has it: light in that depth, other numbers as floats.
+ExrLayer exr_layer(std::string_view channel, std::string_view letters, const Image& numbers,
+                   ExrDepth depth_of_light, ExrNames names);
+
 /// Writes what the session shows to each path, and says so.
 void write_picture_files(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
                          Session& session, const RenderRequest& request, const ShownPicture& shown,

@@ -1,7 +1,6 @@
 #include "app/work_command.h"
 
 #include "app/film_request.h"
-#include "app/json.h"
 #include "app/picture.h"
 
 #include "core/error.h"
@@ -148,36 +147,6 @@ bool run_work(const WorkRequest& request) {
     return false;
 }
 
-struct StatusRequest {
-    std::filesystem::path store;
-    bool json = false;
-    double lease = 600;
-};
-
-void run_status(const StatusRequest& request) {
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(request.store / "notes", ignored))
-        throw InputError("{}: no worker has begun here; start one with onde work",
-                         request.store.string());
-    const WorkState state = work_state(Store(request.store, request.lease));
-    const uint32_t left = state.units - state.done;
-    const double seconds = left * state.seconds_a_unit / std::max(state.workers, 1u);
-    if (request.json)
-        fmt::print("{}", json_line({{"units", state.units},
-                                    {"done", state.done},
-                                    {"left", left},
-                                    {"workers", state.workers},
-                                    {"workers_wanted", left},
-                                    {"seconds_per_unit", state.seconds_a_unit},
-                                    {"seconds_left", seconds},
-                                    {"complete", state.complete}}));
-    else
-        fmt::print(
-            "{} of {} units done, {} workers at it, {:.3g} s a unit, about {:.3g} s left{}\n",
-            state.done, state.units, state.workers, state.seconds_a_unit, seconds,
-            state.complete ? "; the film is complete" : "");
-}
-
 } // namespace
 
 void add_work_command(Command& root, bool& interrupted) {
@@ -200,18 +169,6 @@ void add_work_command(Command& root, bool& interrupted) {
                    {.value = "PERCENT", .least = 0, .most = 100});
     declare_options(command, request->render);
     command.on_run([request, &interrupted] { interrupted = run_work(*request); });
-}
-
-void add_farm_command(Command& root) {
-    Command farm = root.add_command("farm", "What workers have done (see onde work)");
-    farm.require_command();
-    Command command = farm.add_command("status", "How far the work in a store is");
-    const auto request = std::make_shared<StatusRequest>();
-    command.option("store", &request->store, "The folder", {.value = "STORE", .required = true});
-    command.flag("--json", request->json, "Print it as one line of JSON");
-    command.option("--lease", &request->lease, "As the workers have it",
-                   {.value = "SECONDS", .show_default = true, .least = 5, .most = 1e6});
-    command.on_run([request] { run_status(*request); });
 }
 
 } // namespace onde::app

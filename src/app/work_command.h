@@ -7,6 +7,5 @@
 namespace onde::app {
 
 void add_work_command(Command& root, bool& interrupted);
-void add_farm_command(Command& root);
 
 } // namespace onde::app

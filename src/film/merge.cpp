@@ -165,27 +165,32 @@ void FilmMerge::write(const std::filesystem::path& path) {
     file.finish();
 }
 
-Image FilmMerge::picture() {
+std::vector<Image> FilmMerge::develop(const std::vector<FilmChannel>& channels) {
     const FilmIdentity& identity = header_.identity;
-    const bool has_alpha = identity.background == Background::transparent;
-    Image picture(identity.width, identity.height, has_alpha ? 4 : 3);
-    for_each_band(
-        {0, 0, identity.width, identity.height}, band_rows(identity.width),
-        [&](const Rectangle& band) {
-            Sources sources;
-            for (const Source& source : sources_)
-                if (common(source.range.window, band).pixels() > 0) sources.push_back(&source);
-            const FilmSums sums = sum(ROOT, sources, band);
-            const auto develop = [&](const FilmChannel& channel) {
-                return develop_sums(sums, band.width, band.height, identity.aovs, channel);
-            };
-            Image rows = develop(RADIANCE);
-            if (has_alpha) rows = with_alpha(rows, develop(*find_channel("alpha")));
-            std::ranges::copy(rows.pixels,
-                              picture.pixels.begin() +
-                                  ptrdiff_t(size_t(band.y) * band.width * picture.channels));
-        });
-    return picture;
+    std::vector<Image> images;
+    for (const FilmChannel& channel : channels)
+        images.emplace_back(identity.width, identity.height, channel.components());
+    const auto develop_band = [&](const Rectangle& band) {
+        Sources sources;
+        for (const Source& source : sources_)
+            if (common(source.range.window, band).pixels() > 0) sources.push_back(&source);
+        const FilmSums sums = sum(ROOT, sources, band);
+        for (size_t i = 0; i < channels.size(); i++) {
+            const Image rows =
+                develop_sums(sums, band.width, band.height, identity.aovs, channels[i]);
+            const size_t first = size_t(band.y) * band.width * rows.channels;
+            std::ranges::copy(rows.pixels, images[i].pixels.begin() + ptrdiff_t(first));
+        }
+    };
+    for_each_band({0, 0, identity.width, identity.height}, band_rows(identity.width), develop_band);
+    return images;
+}
+
+Image FilmMerge::picture() {
+    if (header_.identity.background != Background::transparent)
+        return std::move(develop({RADIANCE}).front());
+    const std::vector<Image> images = develop({RADIANCE, *find_channel("alpha")});
+    return with_alpha(images[0], images[1]);
 }
 
 } // namespace onde

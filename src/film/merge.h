@@ -27,8 +27,10 @@ class FilmMerge {
 
     /// Writes the film of all. Throws InputError where one of them was interrupted within a pass.
     void write(const std::filesystem::path& path);
-    /// The picture of all; pixels without a sample are black.
+    /// The picture of all, as Session::picture() has it; pixels without a sample are black.
     Image picture();
+    /// Some of its channels, which the film has.
+    std::vector<Image> develop(const std::vector<FilmChannel>& channels);
 
   private:
     struct Source {

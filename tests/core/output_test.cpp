@@ -195,6 +195,24 @@ TEST_CASE("outputs in missing folders, or that are folders, are refused") {
     CHECK(folder.count() == 0);
 }
 
+TEST_CASE("a file that is written piece by piece takes its place only when it is finished") {
+    const Folder folder;
+    write(folder.path / "a", "old");
+    const auto write_pieces = [&](bool finish) {
+        WholeFile file(folder.path / "a");
+        file.write_at(4, "of pieces");
+        file.write_at(0, "new ");
+        CHECK(read_file(folder.path / "a") == "old");
+        if (finish) file.finish();
+    };
+    write_pieces(false);
+    CHECK(read_file(folder.path / "a") == "old");
+    write_pieces(true);
+    CHECK(read_file(folder.path / "a") == "new of pieces");
+    CHECK(folder.count() == 1);
+    CHECK_THROWS_WITH(WholeFile("/dev/null"), Catch::Contains("is a pipe or a device"));
+}
+
 TEST_CASE("an output in a folder without write permission is refused") {
     if (::geteuid() == 0) {
         WARN("skipped: root may write everywhere");

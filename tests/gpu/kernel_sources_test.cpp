@@ -83,3 +83,14 @@ TEST_CASE("a kernel file that is not there is an error that names it") {
 TEST_CASE("a kernel folder that is not there is wrong input") {
     CHECK_THROWS_AS(KernelSources::folder("/no/such/folder"), InputError);
 }
+
+TEST_CASE("the hash of kernels is that of their texts, wherever they are from") {
+    const std::string embedded = KernelSources::embedded().hash();
+    CHECK(KernelSources::folder(ONDE_SOURCE_DIR "/kernels").hash() == embedded);
+    test::TemporaryFolder folder;
+    folder.write("a.cl", "// one");
+    const std::string one = KernelSources::folder(folder.path()).hash();
+    CHECK(one != embedded);
+    folder.write("a.cl", "// two");
+    CHECK(KernelSources::folder(folder.path()).hash() != one);
+}

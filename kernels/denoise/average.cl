@@ -44,9 +44,33 @@ INLINE real weight_of(Likeness likeness, uint at, int offset, real patch) {
     return exp2_real(difference * -LOG2_E);
 }
 
-// Adds one offset to the sums of a tile: per pixel red, green, blue, weight.
-INLINE void add_offset(__global const DenoiseBand* band, Likeness likeness, Planes target,
-                       Planes share, Tile tile, int dx, int dy, float* sums) {
+// What is averaged: `target` as far as it was left, with its variance.
+typedef struct {
+    Planes radiance, share, variance;
+} Averaged;
+
+// Per vector of pixels: weighted red, green and blue, weight, and their variances.
+#define TILE_SUMS 7
+
+INLINE void add_sum(float* sum, real a) {
+    spill_real(sum, unspill_real(sum) + a);
+}
+INLINE void add_weighted(Averaged averaged, uint at, real weight, float* sums) {
+    const real3 radiance =
+        scale3(load_planes(averaged.radiance, at), weight * load_plane(averaged.share, at));
+    const real3 variance = scale3(load_planes(averaged.variance, at), weight * weight);
+    add_sum(sums, radiance.x);
+    add_sum(sums + ONDE_WIDTH, radiance.y);
+    add_sum(sums + 2 * ONDE_WIDTH, radiance.z);
+    add_sum(sums + 3 * ONDE_WIDTH, weight);
+    add_sum(sums + 4 * ONDE_WIDTH, variance.x);
+    add_sum(sums + 5 * ONDE_WIDTH, variance.y);
+    add_sum(sums + 6 * ONDE_WIDTH, variance.z);
+}
+
+// Adds one offset to the sums of a tile.
+INLINE void add_offset(__global const DenoiseBand* band, Likeness likeness, Averaged averaged,
+                       Tile tile, int dx, int dy, float* sums) {
     const int offset = dy * (int)band->stride + dx;
     float columns[3][ONDE_TILE_COLUMNS];
     add_columns(likeness, tile.at - band->stride, offset, columns[0]);
@@ -61,13 +85,8 @@ INLINE void add_offset(__global const DenoiseBand* band, Likeness likeness, Plan
                                unspill_real(columns[(row + 2) % 3] + k);
             const real weight = weight_of(likeness, start + k, offset, patch) *
                                 inside((int)(tile.column + k) + dx, band->width);
-            const real part = weight * load_plane(share, start + k + offset);
-            const real3 value = scale3(load_planes(target, start + k + offset), part);
-            float* sum = sums + 4 * (row * ONDE_TILE_COLUMNS + k);
-            spill_real(sum, unspill_real(sum) + value.x);
-            spill_real(sum + ONDE_WIDTH, unspill_real(sum + ONDE_WIDTH) + value.y);
-            spill_real(sum + 2 * ONDE_WIDTH, unspill_real(sum + 2 * ONDE_WIDTH) + value.z);
-            spill_real(sum + 3 * ONDE_WIDTH, unspill_real(sum + 3 * ONDE_WIDTH) + weight);
+            add_weighted(averaged, start + k + offset, weight,
+                         sums + TILE_SUMS * (row * ONDE_TILE_COLUMNS + k));
         }
     }
 }
@@ -76,17 +95,20 @@ INLINE void store_means(__global const DenoiseBand* band, Tile tile, const float
                         __global float* output) {
     for (uint row = 0; row < ONDE_TILE_ROWS && tile.row + row < band->rows; row++)
         for (uint k = 0; k < ONDE_TILE_COLUMNS; k += ONDE_WIDTH) {
-            const float* sum = sums + 4 * (row * ONDE_TILE_COLUMNS + k);
-            const real weight = unspill_real(sum + 3 * ONDE_WIDTH);
-            const real3 mean =
-                make3(unspill_real(sum) / weight, unspill_real(sum + ONDE_WIDTH) / weight,
-                      unspill_real(sum + 2 * ONDE_WIDTH) / weight);
-            store_planes(output + tile.at + row * band->stride + k, band->plane, mean);
+            const float* sum = sums + TILE_SUMS * (row * ONDE_TILE_COLUMNS + k);
+            const real weight = unspill_real(sum + 3 * ONDE_WIDTH), squared = weight * weight;
+            __global float* to = output + tile.at + row * band->stride + k;
+            for (uint i = 0; i < 3; i++) {
+                store_real(to + (size_t)(AVERAGE_RADIANCE + i) * band->plane,
+                           unspill_real(sum + i * ONDE_WIDTH) / weight);
+                store_real(to + (size_t)(AVERAGE_VARIANCE + i) * band->plane,
+                           unspill_real(sum + (4 + i) * ONDE_WIDTH) / squared);
+            }
         }
 }
 
 // `count` tiles, `across` of them in a row. What is averaged is `target`, three planes that lie as
-// the radiance: it, or a part of it.
+// the radiance: it, or a part of it. The variance is that of the whole.
 __kernel void average(uint count, uint across, __global const DenoiseBand* band,
                       __global const float* noisy, __global const float* limited,
                       __global const float* guides, __global const float* target,
@@ -99,12 +121,14 @@ __kernel void average(uint count, uint across, __global const DenoiseBand* band,
     tile.at =
         (tile.row + DENOISE_ROWS_AROUND) * band->stride + tile.column + DENOISE_COLUMNS_BEFORE;
     const Likeness likeness = likeness_of(band, noisy, limited, guides);
-    const Planes radiance = planes_at(band, target, 0);
-    const Planes share = planes_at(band, limited, LIMITED_SHARE);
-    float sums[4 * ONDE_TILE_ROWS * ONDE_TILE_COLUMNS];
-    for (uint i = 0; i < 4 * ONDE_TILE_ROWS * ONDE_TILE_COLUMNS; i++) sums[i] = 0.0f;
+    Averaged averaged;
+    averaged.radiance = planes_at(band, target, 0);
+    averaged.share = planes_at(band, limited, LIMITED_SHARE);
+    averaged.variance = planes_at(band, limited, LIMITED_VARIANCE);
+    float sums[TILE_SUMS * ONDE_TILE_ROWS * ONDE_TILE_COLUMNS];
+    for (uint i = 0; i < TILE_SUMS * ONDE_TILE_ROWS * ONDE_TILE_COLUMNS; i++) sums[i] = 0.0f;
     for (int dy = -DENOISE_RADIUS; dy <= DENOISE_RADIUS; dy++)
         for (int dx = -DENOISE_RADIUS; dx <= DENOISE_RADIUS; dx++)
-            add_offset(band, likeness, radiance, share, tile, dx, dy, sums);
+            add_offset(band, likeness, averaged, tile, dx, dy, sums);
     store_means(band, tile, sums, output);
 }

@@ -38,6 +38,11 @@
 #define GUIDE_DEPTH 5
 #define GUIDE_PLANES 6
 
+// The mean of pixels that are alike, and its variance, three planes each.
+#define AVERAGE_RADIANCE 0
+#define AVERAGE_VARIANCE 3
+#define AVERAGE_PLANES 6
+
 // Of a band: rows `first_row` to `first_row + rows - 1` of a picture. A plane has `stride` floats a
 // row and `plane` floats in all.
 typedef struct {

@@ -70,12 +70,13 @@ std::vector<float> band_planes(const DenoiseBand& band, const NoisyPicture& nois
     return planes;
 }
 
-void put_band(const DenoiseBand& band, const std::vector<float>& planes, Image& image) {
+void put_band(const DenoiseBand& band, const std::vector<float>& planes, uint32_t first,
+              Image& image) {
     for (uint32_t row = 0; row < band.rows; ++row)
         for (uint32_t x = 0; x < band.width; ++x)
             for (uint32_t channel = 0; channel < 3; ++channel)
                 image.pixel(x, band.first_row + row)[channel] =
-                    planes[size_t(channel) * band.plane +
+                    planes[size_t(first + channel) * band.plane +
                            size_t(row + DENOISE_ROWS_AROUND) * band.stride +
                            DENOISE_COLUMNS_BEFORE + x];
 }

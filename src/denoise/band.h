@@ -26,7 +26,8 @@ std::vector<float> band_planes(const DenoiseBand& band, const Image& image);
 /// The NOISY_PLANES.
 std::vector<float> band_planes(const DenoiseBand& band, const NoisyPicture& noisy);
 
-/// Three planes back into the rows of the band.
-void put_band(const DenoiseBand& band, const std::vector<float>& planes, Image& image);
+/// Three planes, from that number on, back into the rows of the band.
+void put_band(const DenoiseBand& band, const std::vector<float>& planes, uint32_t first,
+              Image& image);
 
 } // namespace onde

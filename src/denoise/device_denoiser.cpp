@@ -9,7 +9,7 @@ namespace {
 
 /// About what the buffers of a band take.
 constexpr uint64_t BAND_BYTES = uint64_t(128) << 20;
-constexpr uint32_t ALL_PLANES = NOISY_PLANES + LIMITED_PLANES + GUIDE_PLANES + 3 + 3;
+constexpr uint32_t ALL_PLANES = NOISY_PLANES + LIMITED_PLANES + GUIDE_PLANES + 3 + AVERAGE_PLANES;
 
 gpu::Program build(gpu::Programs& programs, const DenoiserCut& cut, const char* file,
                    const char* name) {
@@ -46,7 +46,7 @@ struct DeviceDenoiser::Buffers {
     Buffers(const gpu::Device& device, size_t plane)
         : band(device, 1), noisy(device, NOISY_PLANES * plane),
           limited(device, LIMITED_PLANES * plane), guides(device, GUIDE_PLANES * plane),
-          target(device, 3 * plane), output(device, 3 * plane) {
+          target(device, 3 * plane), output(device, AVERAGE_PLANES * plane) {
         // Where kernels write nothing, they still read, for lanes that are not kept.
         limited.fill(device, 0.0f);
         guides.fill(device, 0.0f);
@@ -59,20 +59,20 @@ DeviceDenoiser::DeviceDenoiser(gpu::Programs& programs, const DenoiserCut& cut)
       guide_(build(programs, cut, "denoise/guide.cl", "guide")),
       average_(build(programs, cut, "denoise/average.cl", "average")) {}
 
-void DeviceDenoiser::average(Buffers& buffers, const DenoiseBand& band,
-                             const std::vector<float>& target, Image& image) {
-    buffers.target.write(device_, target);
+std::vector<float> DeviceDenoiser::average(Buffers& buffers, const DenoiseBand& band,
+                                           const Image& target) {
+    buffers.target.write(device_, band_planes(band, target));
     const uint32_t across = parts_of(band.width, cut_.columns);
     const uint32_t tiles = across * parts_of(band.rows, cut_.rows);
     gpu::Kernel& kernel = average_.kernel("average");
     kernel.set_from(0, tiles, across, buffers.band, buffers.noisy, buffers.limited, buffers.guides,
                     buffers.target, buffers.output);
     kernel.launch(tiles);
-    put_band(band, buffers.output.read(device_), image);
+    return buffers.output.read(device_);
 }
 
 void DeviceDenoiser::denoise_band(Buffers& buffers, const DenoiseBand& band,
-                                  const NoisyPicture& noisy, DenoisedPicture& result) {
+                                  const NoisyPicture& noisy, NoisyPicture& result) {
     buffers.band.write(device_, std::span(&band, 1));
     buffers.noisy.write(device_, band_planes(band, noisy));
     gpu::Kernel& limit = limit_.kernel("limit");
@@ -82,22 +82,26 @@ void DeviceDenoiser::denoise_band(Buffers& buffers, const DenoiseBand& band,
     guide.set_from(0, plane_rows(band), buffers.band, buffers.noisy, buffers.limited,
                    buffers.guides);
     guide.launch(plane_rows(band));
-    average(buffers, band, band_planes(band, noisy.radiance), result.radiance);
+    const std::vector<float> whole = average(buffers, band, noisy.radiance);
+    put_band(band, whole, AVERAGE_RADIANCE, result.radiance);
+    put_band(band, whole, AVERAGE_VARIANCE, result.variance);
     for (size_t i = 0; i < noisy.parts.size(); ++i)
-        average(buffers, band, band_planes(band, noisy.parts[i]), result.parts[i]);
+        put_band(band, average(buffers, band, noisy.parts[i]), AVERAGE_RADIANCE, result.parts[i]);
 }
 
 DenoisedPicture DeviceDenoiser::denoise(const NoisyPicture& noisy,
                                         const std::function<bool()>& keep_going) {
     const uint32_t width = noisy.radiance.width, height = noisy.radiance.height;
-    DenoisedPicture result{Image(width, height, 3),
-                           std::vector<Image>(noisy.parts.size(), Image(width, height, 3))};
     Buffers buffers(device_, band_of(width, height, 0, cut_.band_rows).plane);
-    for (uint32_t row = 0; row < height; row += cut_.band_rows) {
-        if (keep_going && !keep_going()) break;
-        denoise_band(buffers, band_of(width, height, row, cut_.band_rows), noisy, result);
+    NoisyPicture before = noisy, after = noisy;
+    for (uint32_t pass = 0; pass < cut_.passes; ++pass) {
+        for (uint32_t row = 0; row < height; row += cut_.band_rows) {
+            if (keep_going && !keep_going()) break;
+            denoise_band(buffers, band_of(width, height, row, cut_.band_rows), before, after);
+        }
+        before = after;
     }
-    return result;
+    return {std::move(after.radiance), std::move(after.parts)};
 }
 
 } // namespace onde

@@ -16,6 +16,7 @@ struct DenoiserCut {
     uint32_t columns = 4, rows = 4; ///< of a work item's tile, within 32 and 16, which they divide
     uint32_t group = 1;             ///< work items
     uint32_t band_rows = 256;       ///< a multiple of 16
+    uint32_t passes = 2;            ///< the later ones filter what noise the first one left
 };
 
 /// What suits the device, for pictures of that width.
@@ -27,17 +28,16 @@ class DeviceDenoiser {
     DeviceDenoiser(gpu::Programs& programs, const DenoiserCut& cut);
 
     /// Parts are averaged with the weights of the whole, so that they add up to it. Asks
-    /// `keep_going` between bands, and returns what was denoised so far, the rest black, where it
-    /// says false. Throws DeviceError.
+    /// `keep_going` between bands, and returns what was denoised so far, the rest as it was, where
+    /// it says false. Throws DeviceError.
     DenoisedPicture denoise(const NoisyPicture& noisy,
                             const std::function<bool()>& keep_going = {});
 
   private:
     struct Buffers;
-    void average(Buffers& buffers, const DenoiseBand& band, const std::vector<float>& target,
-                 Image& image);
+    std::vector<float> average(Buffers& buffers, const DenoiseBand& band, const Image& target);
     void denoise_band(Buffers& buffers, const DenoiseBand& band, const NoisyPicture& noisy,
-                      DenoisedPicture& result);
+                      NoisyPicture& result);
 
     const gpu::Device& device_;
     DenoiserCut cut_;

@@ -69,23 +69,6 @@ void check_outputs(MergeOptions& options, const std::vector<fs::path>& parts) {
     }
 }
 
-/// The picture, and every AOV that the film has.
-std::vector<ExrLayer> layers_of(FilmMerge& merge, const Image& picture,
-                                const MergeOptions& options) {
-    std::vector<FilmChannel> channels;
-    for (const FilmChannel& channel : FILM_CHANNELS)
-        if (channel.sums < AOV_COUNT && (merge.header().identity.aovs >> channel.sums & 1) != 0)
-            channels.push_back(channel);
-    const std::vector<Image> images = merge.develop(channels);
-    const ExrDepth depth = options.full_float ? ExrDepth::full_float : ExrDepth::half_float;
-    const std::string_view letters = picture.channels == 4 ? "RGBA" : "RGB";
-    std::vector<ExrLayer> layers{exr_layer(RADIANCE.name, letters, picture, depth, options.names)};
-    for (size_t i = 0; i < channels.size(); i++)
-        layers.push_back(
-            exr_layer(channels[i].name, channels[i].letters, images[i], depth, options.names));
-    return layers;
-}
-
 void write_picture(const MergeOptions& options, FilmMerge& merge) {
     const FilmHeader& header = merge.header();
     const ImageMetadata metadata{{"onde:scene_hash", header.identity.scene},
@@ -99,7 +82,8 @@ void write_picture(const MergeOptions& options, FilmMerge& merge) {
     display.tone_map = options.tone_map.value_or(display.tone_map);
     const Image picture = merge.picture();
     if (is_exr(options.picture))
-        write_exr(options.picture, layers_of(merge, picture, options), metadata);
+        write_exr(options.picture, film_layers(merge, picture, options.full_float, options.names),
+                  metadata);
     else
         write_png(options.picture, straight_alpha(picture), display, metadata);
 }

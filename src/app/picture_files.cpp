@@ -124,6 +124,21 @@ ExrLayer exr_layer(std::string_view channel, std::string_view letters, const Ima
             is_light ? depth_of_light : ExrDepth::full_float};
 }
 
+std::vector<ExrLayer> film_layers(FilmMerge& merge, const Image& picture, bool full_float,
+                                  ExrNames names) {
+    std::vector<FilmChannel> channels;
+    for (const FilmChannel& channel : FILM_CHANNELS)
+        if (channel.sums < AOV_COUNT && (merge.header().identity.aovs >> channel.sums & 1) != 0)
+            channels.push_back(channel);
+    const std::vector<Image> images = merge.develop(channels);
+    const ExrDepth depth = full_float ? ExrDepth::full_float : ExrDepth::half_float;
+    const std::string_view letters = picture.channels == 4 ? "RGBA" : "RGB";
+    std::vector<ExrLayer> layers{exr_layer(RADIANCE.name, letters, picture, depth, names)};
+    for (size_t i = 0; i < channels.size(); i++)
+        layers.push_back(exr_layer(channels[i].name, channels[i].letters, images[i], depth, names));
+    return layers;
+}
+
 void write_picture_files(const std::vector<fs::path>& paths, Outputs& outputs, Session& session,
                          const RenderRequest& request, const ShownPicture& shown,
                          const ImageMetadata& metadata) {

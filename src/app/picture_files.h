@@ -4,6 +4,8 @@
 
 #include "app/picture.h"
 
+#include "film/merge.h"
+
 #include <string_view>
 
 namespace onde::app {
@@ -16,6 +18,10 @@ std::vector<std::string> exr_names(std::string_view channel, std::string_view le
 /// A channel as an .exr has it: light in that depth, other numbers as floats.
 ExrLayer exr_layer(std::string_view channel, std::string_view letters, const Image& numbers,
                    ExrDepth depth_of_light, ExrNames names);
+
+/// The picture of a film, and every AOV that it has.
+std::vector<ExrLayer> film_layers(FilmMerge& film, const Image& picture, bool full_float,
+                                  ExrNames names);
 
 /// Writes what the session shows to each path, and says so.
 void write_picture_files(const std::vector<std::filesystem::path>& paths, Outputs& outputs,

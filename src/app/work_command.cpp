@@ -2,6 +2,7 @@
 
 #include "app/film_request.h"
 #include "app/picture.h"
+#include "app/picture_files.h"
 
 #include "core/error.h"
 #include "core/log.h"
@@ -101,8 +102,8 @@ void write_picture(const std::filesystem::path& path, const Session& session,
     const ImageMetadata metadata =
         picture_metadata(session, merge.header().identity.scene, outcome);
     if (is_exr(path))
-        write_exr(path, picture, metadata,
-                  request.full_float ? ExrDepth::full_float : ExrDepth::half_float);
+        write_exr(path, film_layers(merge, picture, request.full_float, request.exr_names),
+                  metadata);
     else
         write_png(path, straight_alpha(picture), requested_display(session, request), metadata);
 }

@@ -58,6 +58,10 @@ TEST_CASE("parts of a picture join to the film and the picture of one render") {
     CHECK(all.err.empty());
     CHECK(same_bytes(folder, "all.exr", "whole.exr"));
     CHECK(same_bytes(folder, "all.png", "whole.png"));
+    run(folder, {"merge", "d.exr", "parts", "--picture", "all_at_once.exr"});
+    const onde::Image albedo =
+        onde::read_exr(folder / "all_at_once.exr", {"albedo.R", "albedo.G", "albedo.B"});
+    CHECK(*std::ranges::max_element(albedo.pixels) > 0.5f);
     run(folder, {"merge", "d.exr", "parts", "-o", "all_at_once.png"});
     CHECK(same_bytes(folder, "all_at_once.png", "whole.png"));
 }

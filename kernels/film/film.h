@@ -9,6 +9,7 @@ typedef struct {
     __global float4* sums; // by y * width + x: red, green, blue, number of samples; the AOVs behind
     __global uint* invalid; // see INVALID_COUNT
     uint width, pixels;
+    float most_radiance; // of a sample
 } FilmView;
 
 #define FILM_VIEW(view)                                                                            \
@@ -16,7 +17,8 @@ typedef struct {
     view.sums = film_sums;                                                                         \
     view.invalid = invalid;                                                                        \
     view.width = frame->width;                                                                     \
-    view.pixels = frame->width * frame->height
+    view.pixels = frame->width * frame->height;                                                    \
+    view.most_radiance = frame->most_radiance
 
 // Not-finite radiance never reaches the film: it is counted, and the first one is remembered.
 INLINE void film_reject(FilmView film, uint pixel, uint sample) {
@@ -24,6 +26,15 @@ INLINE void film_reject(FilmView film, uint pixel, uint sample) {
         film.invalid[INVALID_PIXEL] = pixel;
         film.invalid[INVALID_SAMPLE] = sample;
     }
+}
+
+// The share of a sample that is not cut off: all of it, in films that are not clamped.
+INLINE float kept_share(FilmView film, float4 radiance) {
+#if ONDE_AOVS
+    const float largest = fmax(fmax(radiance.x, radiance.y), radiance.z);
+    if (HAS_AOV(CLAMPED) && largest > film.most_radiance) return film.most_radiance / largest;
+#endif
+    return 1.0f;
 }
 
 // Adds one sample. The samples of a pixel lie next to each other in a wave, in ascending order, and
@@ -51,10 +62,11 @@ INLINE void film_add_aov(FilmView film, WaveJob job, uint path, uint plane, floa
 }
 
 // The same of the AOVs that are functions of the sample's radiance, behind `plane`.
-INLINE void film_add_sample_aovs(FilmView film, WaveJob job, uint path, uint plane,
-                                 float4 radiance) {
+INLINE void film_add_sample_aovs(FilmView film, WaveJob job, uint path, uint plane, float4 radiance,
+                                 float kept) {
 #if ONDE_AOVS
-    if (HAS_AOV(SQUARES)) film_add_aov(film, job, path, ++plane, sample_squares(radiance));
+    if (HAS_AOV(SQUARES)) film_add_aov(film, job, path, ++plane, sample_squares(radiance * kept));
+    if (HAS_AOV(CLAMPED)) film_add_aov(film, job, path, ++plane, radiance * (1.0f - kept));
 #endif
 }
 

@@ -135,26 +135,46 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
     return gathered;
 }
 
-#if ONDE_AOVS
-INLINE void add_aov(Estimator e, FilmView film, real3 value, uint plane, uint first, uint bits) {
+#if !ESTIMATOR_SPLATS
+    #if ONDE_AOVS
+// Of the lanes in `bits`, of shares of light as much as is kept of their samples.
+INLINE void add_aov(Estimator e, FilmView film, real3 value, uint plane, bool is_light,
+                    const float* kept, uint first, uint bits) {
     float x[ONDE_WIDTH], y[ONDE_WIDTH], z[ONDE_WIDTH];
     spill_real(x, value.x);
     spill_real(y, value.y);
     spill_real(z, value.z);
     for (; bits; bits &= bits - 1) {
         const uint k = lowest_bit(bits);
-        film_add_aov(film, e.job, first + k, plane, (float4)(x[k], y[k], z[k], 0.0f));
+        const float4 all = (float4)(x[k], y[k], z[k], 0.0f);
+        film_add_aov(film, e.job, first + k, plane, is_light ? all * kept[k] : all);
     }
 }
+    #endif
 
-// Those of the paths from `first` whose radiance was added.
-INLINE void add_aovs(Estimator e, FilmView film, Aovs all, uint first, uint bits) {
+// Adds the samples of the paths from `first`, those before `end`, and their AOVs.
+INLINE void add_samples(Estimator e, FilmView film, Gathered gathered, uint first, uint end) {
+    float x[ONDE_WIDTH], y[ONDE_WIDTH], z[ONDE_WIDTH], kept[ONDE_WIDTH];
+    spill_real(x, gathered.sum.x);
+    spill_real(y, gathered.sum.y);
+    spill_real(z, gathered.sum.z);
+    uint added = 0;
+    for (uint k = 0; k < ONDE_WIDTH && first + k < end; k++) {
+        const float4 radiance = (float4)(x[k], y[k], z[k], 0.0f);
+        kept[k] = kept_share(film, radiance);
+        if (!film_add(film, e.job, first + k, radiance * kept[k])) continue;
+        film_add_sample_aovs(film, e.job, first + k, WAVE_PLANES, radiance, kept[k]);
+        added |= 1u << k;
+    }
+    #if ONDE_AOVS
     uint plane = 0;
-    #define ONDE_ADD_AOV(NAME, name, word, letters, SOURCE)                                        \
-        if (AOV_SOURCE_##SOURCE != AOV_SOURCE_SAMPLE && HAS_AOV(NAME))                             \
-            add_aov(e, film, all.name, ++plane, first, bits);
+        #define ONDE_ADD_AOV(NAME, name, word, letters, SOURCE)                                    \
+            if (AOV_SOURCE_##SOURCE != AOV_SOURCE_SAMPLE && HAS_AOV(NAME))                         \
+                add_aov(e, film, gathered.aovs.name, ++plane,                                      \
+                        AOV_SOURCE_##SOURCE == AOV_SOURCE_LIGHT, kept, first, added);
     AOVS(ONDE_ADD_AOV)
-    #undef ONDE_ADD_AOV
+        #undef ONDE_ADD_AOV
+    #endif
 }
 #endif
 
@@ -168,20 +188,7 @@ __kernel void megakernel(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS EST
 #if ESTIMATOR_SPLATS
         estimator_tell(e, sum_natural(gathered.contributed), sum_natural(gathered.unblocked));
 #else
-        float x[ONDE_WIDTH], y[ONDE_WIDTH], z[ONDE_WIDTH];
-        spill_real(x, gathered.sum.x);
-        spill_real(y, gathered.sum.y);
-        spill_real(z, gathered.sum.z);
-        uint added = 0;
-        for (uint k = 0; k < ONDE_WIDTH && i + k < range.end; k++) {
-            const float4 radiance = (float4)(x[k], y[k], z[k], 0.0f);
-            if (!film_add(film, e.job, i + k, radiance)) continue;
-            film_add_sample_aovs(film, e.job, i + k, WAVE_PLANES, radiance);
-            added |= 1u << k;
-        }
-    #if ONDE_AOVS
-        add_aovs(e, film, gathered.aovs, i, added);
-    #endif
+        add_samples(e, film, gathered, i, range.end);
 #endif
     }
 }

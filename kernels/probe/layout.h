@@ -106,6 +106,7 @@
     OFFSET(FrameRecord, environment_rotation)                                                      \
     OFFSET(FrameRecord, ground_share)                                                              \
     OFFSET(FrameRecord, ground_height)                                                             \
+    OFFSET(FrameRecord, most_radiance)                                                             \
     OFFSET(FrameRecord, pad4)                                                                      \
     OFFSET(FrameRecord, filter_table)                                                              \
     SIZE(MaterialRecord)                                                                           \

@@ -24,7 +24,8 @@
     AOV(DIFFUSE, diffuse, "diffuse", "RGB", LIGHT)                                                 \
     AOV(GLOSSY, glossy, "glossy", "RGB", LIGHT)                                                    \
     AOV(TRANSMITTED, transmitted, "transmitted", "RGB", LIGHT)                                     \
-    AOV(SQUARES, squares, "variance", "RGB", SAMPLE)
+    AOV(SQUARES, squares, "variance", "RGB", SAMPLE)                                               \
+    AOV(CLAMPED, clamped, "clamped", "RGB", SAMPLE)
 
 #define AOV_NUMBER(NAME, name, word, letters, SOURCE) AOV_##NAME,
 enum { AOVS(AOV_NUMBER) AOV_COUNT };

@@ -36,7 +36,8 @@ typedef struct {
     float ground_share[3]; // of a sample of light, in all the light that the ground receives: 1 /
                            // that
     float ground_height;   // y of the plane
-    float pad4[3];
+    float most_radiance;   // of a sample, of films that have what is cut off beyond it
+    float pad4[2];
     // Inverse cumulative distribution of the pixel filter, offsets in pixels.
     float filter_table[FILTER_TABLE_SIZE];
 } FrameRecord;

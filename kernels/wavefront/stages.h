@@ -199,10 +199,18 @@ INLINE void stage_accumulate(Estimator e, WaveView wave, FilmView film, uint beg
     estimator_tell(e, contributed, unblocked);
 #else
     for (uint i = begin; i < end; i++) {
-        if (!film_add(film, e.job, i, wave.sums[i])) continue;
-        for (uint plane = 1; plane <= WAVE_PLANES; plane++)
-            film_add_aov(film, e.job, i, plane, wave.sums[plane * wave.state.stride + i]);
-        film_add_sample_aovs(film, e.job, i, WAVE_PLANES, wave.sums[i]);
+        const float kept = kept_share(film, wave.sums[i]);
+        if (!film_add(film, e.job, i, wave.sums[i] * kept)) continue;
+        uint plane = 0;
+    #define ONDE_ACCUMULATE_AOV(NAME, name, word, letters, SOURCE)                                 \
+        if (AOV_SOURCE_##SOURCE != AOV_SOURCE_SAMPLE && HAS_AOV(NAME)) {                           \
+            const float4 value = wave.sums[++plane * wave.state.stride + i];                       \
+            film_add_aov(film, e.job, i, plane,                                                    \
+                         AOV_SOURCE_##SOURCE == AOV_SOURCE_LIGHT ? value * kept : value);          \
+        }
+        AOVS(ONDE_ACCUMULATE_AOV)
+    #undef ONDE_ACCUMULATE_AOV
+        film_add_sample_aovs(film, e.job, i, plane, wave.sums[i], kept);
     }
 #endif
 }

@@ -128,6 +128,7 @@ Json report_json(Session& session, const RenderReport& r) {
         {"mrays_per_second", mega(double(rays.total())) / std::max(r.outcome.seconds, 1e-9)},
         {"invalid_samples", session.film().find_invalid().count},
     };
+    if (options.clamp > 0) json["clamped_share"] = session.clamped_share();
     if (r.at) json["at"] = *r.at;
     if (!r.denoiser.empty()) {
         json["denoiser"] = r.denoiser;

@@ -66,6 +66,9 @@ void declare_picture(Command& command, RenderRequest& r) {
         "Further channels: in an .exr beside the picture's own, to OUTPUT.WORD.png of a\n"
         ".png; docs/scene-format.md says what each holds",
         {.value = "WORD", .delimiter = ',', .words = aov_words()});
+    command.option("--clamp", &r.choices.clamp,
+                   "The most radiance of a sample: fewer specks, less light; says how much less",
+                   {.value = "RADIANCE"});
     declare_denoiser(command, r);
     declare_display(command, r);
     command.choice(
@@ -266,6 +269,8 @@ void check_request(const RenderRequest& r) {
     load_options(r.load);
     check_film_request(r);
     // "nan" and "inf" are read as numbers.
+    if (r.choices.clamp && !(*r.choices.clamp > 0 && std::isfinite(*r.choices.clamp)))
+        throw InputError("--clamp {} is not a positive radiance", *r.choices.clamp);
     if (r.choices.seconds && !(*r.choices.seconds > 0 && std::isfinite(*r.choices.seconds)))
         throw InputError("--time {} is not a positive number of seconds", *r.choices.seconds);
     for (auto aov = r.aovs.begin(); aov != r.aovs.end(); ++aov)

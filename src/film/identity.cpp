@@ -87,7 +87,8 @@ FilmIdentity film_identity(const Scene& scene, const RenderOptions& options,
                            const BvhOptions& bvh) {
     return {scene_hash(scene),  options.camera,         options.width, options.height,
             options.depth,      options.roulette_start, options.seed,  options.filter,
-            options.integrator, options.background,     options.aovs,  bvh.watertight};
+            options.integrator, options.background,     options.aovs,  options.clamp,
+            bvh.watertight};
 }
 
 std::string device_class(const gpu::DeviceFacts& facts) {

@@ -20,6 +20,7 @@ struct FilmIdentity {
     IntegratorKind integrator;
     Background background;
     uint32_t aovs;
+    float clamp;
     bool watertight;
 };
 
@@ -36,6 +37,7 @@ constexpr auto fields_of(TypeTag<FilmIdentity>) {
                       field_without_key(&I::integrator, "integrator"),
                       field_without_key(&I::background, "background"),
                       field_without_key(&I::aovs, "set of AOVs"),
+                      field_without_key(&I::clamp, "clamp"),
                       field_without_key(&I::watertight, "triangle test")};
 }
 

@@ -118,6 +118,7 @@ FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
     frame.environment_rotation = std::abs(turns) > 1.0f ? turns - std::round(turns) : turns;
     copy(frame.ground_share, scene.ground_share);
     frame.ground_height = scene.ground_height;
+    frame.most_radiance = options.clamp;
     std::ranges::copy(filter_table(options.filter), frame.filter_table);
     return frame;
 }

@@ -29,6 +29,9 @@ static void check_film(const RenderOptions& options) {
         throw InputError("the AOVs {:#x} have bits that are none", options.aovs);
     if (transparent && !(options.aovs >> AOV_ALPHA & 1))
         throw InputError("a transparent background needs the AOV alpha");
+    const bool has_clamped = (options.aovs >> AOV_CLAMPED & 1) != 0;
+    if (has_clamped != (options.clamp > 0))
+        throw InputError("the AOV clamped is what a clamp removes; ask for both, or for neither");
 }
 
 static void check_rectangle(const RenderOptions& options) {

@@ -37,6 +37,7 @@ struct RenderOptions {
     IntegratorKind integrator = IntegratorKind::path;
     Engine engine = Engine::wavefront;
     Background background = Background::environment; ///< transparent: aovs has alpha
+    float clamp = 0;   ///< the most radiance of a sample, whose aovs then has clamped; 0: any
     uint32_t aovs = 0; ///< that the film has beside radiance, by the bits of shared/aovs.h
     gpu::DeviceSettings settings;
     uint32_t samples_in_flight = 16; ///< the most of one pixel in one wave; a power of two

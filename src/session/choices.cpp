@@ -50,6 +50,8 @@ void resolve_film(const RenderChoices& choices, const RenderSettings& own,
                   ResolvedOptions& resolved) {
     RenderOptions& options = resolved.options;
     options.aovs = choices.aovs;
+    options.clamp = choices.clamp.value_or(0.0f);
+    if (choices.clamp) options.aovs |= 1u << AOV_CLAMPED;
     options.background = choices.background.value_or(own.background.value_or(options.background));
     if (options.background != Background::transparent) return;
     if (!choices.background && options.integrator != IntegratorKind::path) {

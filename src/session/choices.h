@@ -22,6 +22,7 @@ struct RenderChoices {
     std::optional<Filter> filter;
     std::string camera; ///< of the scene, by name or number; empty: the first
     std::optional<Background> background;
+    std::optional<float> clamp;
     uint32_t aovs = 0; ///< of RenderOptions
     std::optional<Engine> engine;
     std::optional<gpu::Launch> launch;

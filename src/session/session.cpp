@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace onde {
@@ -222,9 +223,22 @@ RayCounts Session::ray_counts() {
     return integrator_->ray_counts();
 }
 
+double Session::clamped_share() {
+    if (options_.render.clamp <= 0) return 0;
+    const auto light_of = [](const Image& image) {
+        return std::accumulate(image.pixels.begin(), image.pixels.end(), 0.0);
+    };
+    const double lost = light_of(film().develop(*find_channel("clamped")));
+    return lost > 0 ? lost / (lost + light_of(film().develop())) : 0.0;
+}
+
 std::vector<std::string> Session::findings() {
     prepare();
-    return integrator_->findings();
+    std::vector<std::string> all = integrator_->findings();
+    if (options_.render.clamp > 0)
+        all.push_back(fmt::format("the clamp at {:g} has cut off {:.3g} % of the light",
+                                  options_.render.clamp, 100 * clamped_share()));
+    return all;
 }
 
 SampleReport Session::inspect(const PixelSample& at) {

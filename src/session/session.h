@@ -98,6 +98,8 @@ class Session {
     /// sample on.
     void restore_film(const KeptFilm& kept);
     RayCounts ray_counts();
+    /// The share of the film's light that options().clamp has cut off; 0 without.
+    double clamped_share();
     /// What the integrator has to say about the picture so far, a sentence each.
     std::vector<std::string> findings();
     /// By kernel, of all launches so far; empty unless the session is timed.

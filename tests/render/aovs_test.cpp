@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace onde::test {
 namespace {
@@ -31,6 +32,7 @@ constexpr uint32_t ALL_AOVS = (1u << AOV_COUNT) - 1;
 RenderOptions options_with(uint32_t aovs, uint32_t samples = 16) {
     RenderOptions options = small_options(16, 16, samples);
     options.aovs = aovs;
+    if (aovs >> AOV_CLAMPED & 1) options.clamp = 1e6f; // none is cut off
     return options;
 }
 
@@ -157,6 +159,43 @@ TEST_CASE("shares of light add up to the picture") {
         const Image image = session.film().develop(*find_channel(name));
         CHECK(std::ranges::max(image.pixels) > 0);
         CHECK(std::ranges::min(image.pixels) >= 0);
+    }
+}
+
+TEST_CASE("a clamp cuts samples off, keeps what it cuts, and its shares of light add up") {
+    const Scene scene = scene_of_all_lights();
+    const auto render = [&](float clamp, const Variant& variant) {
+        RenderOptions options = options_with(clamp > 0 ? ALL_AOVS : 0, 64);
+        options.clamp = clamp;
+        auto session = std::make_unique<Session>(programs(), scene,
+                                                 SessionOptions{.render = apply(options, variant)});
+        session->render();
+        return session;
+    };
+    const auto plain = render(0, VARIANTS[0]);
+    CHECK(plain->clamped_share() == 0);
+    const Image all = plain->picture();
+    const auto clamped = render(1.5f, VARIANTS[0]);
+    const Image picture = clamped->film().develop();
+    const Image lost = clamped->film().develop(*find_channel("clamped"));
+    const Image shares = sum_of(*clamped, {"emission", "diffuse", "glossy", "transmitted"});
+    CHECK(std::ranges::max(all.pixels) > 1.5f);
+    CHECK(std::ranges::max(picture.pixels) <= 1.5f * 1.00001f);
+    double light = 0, cut = 0;
+    for (size_t i = 0; i < all.pixels.size(); i++) {
+        CHECK(picture.pixels[i] + lost.pixels[i] ==
+              Approx(all.pixels[i]).epsilon(1e-5).margin(1e-6));
+        CHECK(shares.pixels[i] == Approx(picture.pixels[i]).epsilon(2e-5).margin(1e-6));
+        light += all.pixels[i];
+        cut += lost.pixels[i];
+    }
+    CHECK(clamped->clamped_share() == Approx(cut / light).epsilon(1e-4));
+    CHECK(cut > 0);
+    for (const Variant& variant : VARIANTS) {
+        INFO(variant.name);
+        const auto other = render(1.5f, variant);
+        CHECK(other->film().develop().pixels == picture.pixels);
+        CHECK(other->film().develop(*find_channel("clamped")).pixels == lost.pixels);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "shared/aovs.h"
 #include "shared/bvh.h"
 #include "shared/columns.h"
+#include "shared/denoise.h"
 #include "shared/frame.h"
 #include "shared/inspect.h"
 #include "shared/items.h"
@@ -78,6 +79,13 @@
     OFFSET(BvhInstance, root)                                                                      \
     OFFSET(BvhInstance, scale)                                                                     \
     OFFSET(BvhInstance, unused)                                                                    \
+    SIZE(DenoiseBand)                                                                              \
+    OFFSET(DenoiseBand, width)                                                                     \
+    OFFSET(DenoiseBand, height)                                                                    \
+    OFFSET(DenoiseBand, first_row)                                                                 \
+    OFFSET(DenoiseBand, rows)                                                                      \
+    OFFSET(DenoiseBand, stride)                                                                    \
+    OFFSET(DenoiseBand, plane)                                                                     \
     SIZE(FrameRecord)                                                                              \
     OFFSET(FrameRecord, origin)                                                                    \
     OFFSET(FrameRecord, aperture_radius)                                                           \

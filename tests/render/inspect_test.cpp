@@ -28,7 +28,7 @@ struct Replay {
 TEST_CASE("the inspected ray tree returns the colour of the rendered sample") {
     Replay replay;
     replay.options.integrator = IntegratorKind::whitted;
-    for (const uint32_t sample : {0u, 5u}) {
+    for (const uint32_t sample : {0u, FILM_BLOCK}) { // films begin at blocks
         const Image picture = replay.sample(sample);
         size_t deepest = 0;
         for (uint32_t y = 1; y < 24; y += 4)
@@ -67,7 +67,7 @@ TEST_CASE("each node of the inspected tree returns its own colour and its childr
 
 TEST_CASE("the inspected path has the radiance of the rendered sample") {
     Replay replay;
-    for (const uint32_t sample : {0u, 5u}) {
+    for (const uint32_t sample : {0u, FILM_BLOCK}) { // films begin at blocks
         const Image picture = replay.sample(sample);
         for (uint32_t y = 1; y < 24; y += 4)
             for (uint32_t x = 1; x < 24; x += 4) {

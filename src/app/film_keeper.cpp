@@ -5,21 +5,21 @@
 
 namespace onde::app {
 
-FilmKeeper::FilmKeeper(Session& session, const Shot& shot, std::optional<double> seconds)
-    : session_(session), shot_(shot), seconds_(seconds) {
+FilmKeeper::FilmKeeper(DeviceGroup& devices, const Shot& shot, std::optional<double> seconds)
+    : devices_(devices), shot_(shot), seconds_(seconds) {
     if (shot.film.empty()) return;
-    const RenderOptions& options = session.options();
+    const RenderOptions& options = devices.session().options();
     if (!follows_pixels(options.integrator))
         throw InputError("--film is for --integrator path and whitted, whose samples are each of "
                          "one pixel; {} has none to go on with",
                          word_of(options.integrator));
-    film_.header = session.film_header();
+    film_.header = devices.film_header();
     film_.window = options.rectangle.value_or(Rectangle{0, 0, options.width, options.height});
     if (shot.resume.empty()) return;
     const KeptFilm kept = read_film(shot.resume, film_.header);
     film_.header.samples = std::max(film_.header.samples, kept.header.samples);
-    session.restore_film(kept);
-    spdlog::info("going on from {:.4g} samples per pixel of {}", session.film().samples(),
+    devices.restore_film(kept);
+    spdlog::info("going on from {:.4g} samples per pixel of {}", devices.samples(),
                  shot.resume.string());
 }
 
@@ -32,7 +32,7 @@ void FilmKeeper::wait() {
 }
 
 void FilmKeeper::write_beside() {
-    film_.contents = session_.film().contents();
+    film_.contents = devices_.contents();
     writing_ = std::async(std::launch::async, [this]() -> std::string {
         try {
             write_film(shot_.film, film_);
@@ -48,14 +48,14 @@ void FilmKeeper::keep_if_due() {
     constexpr auto AT_ONCE = std::chrono::seconds(0);
     if (writing_.valid() && writing_.wait_for(AT_ONCE) != std::future_status::ready) return;
     wait();
-    if (session_.film().samples() > 0) write_beside();
+    if (devices_.samples() > 0) write_beside();
     since_ = Timer();
 }
 
 void FilmKeeper::keep() {
     if (writing_.valid()) writing_.get(); // what it failed of, this one will
-    if (shot_.film.empty() || session_.film().samples() == 0) return;
-    film_.contents = session_.film().contents();
+    if (shot_.film.empty() || devices_.samples() == 0) return;
+    film_.contents = devices_.contents();
     write_film(shot_.film, film_);
     spdlog::info("wrote {}", std::filesystem::absolute(shot_.film).string());
 }

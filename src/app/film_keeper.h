@@ -15,7 +15,7 @@ class FilmKeeper {
     /// Without a film file, nothing is kept. Goes on from the shot's film, where there is one.
     /// Throws InputError for a film of another picture, and for integrators without samples of
     /// single pixels.
-    FilmKeeper(Session& session, const Shot& shot, std::optional<double> seconds);
+    FilmKeeper(DeviceGroup& devices, const Shot& shot, std::optional<double> seconds);
 
     /// Writes the film where the time for it has come, beside the render. What fails is told once.
     void keep_if_due();
@@ -27,7 +27,7 @@ class FilmKeeper {
     /// Of the write that runs, if one does.
     void wait();
 
-    Session& session_;
+    DeviceGroup& devices_;
     const Shot& shot_;
     std::optional<double> seconds_;
     KeptFilm film_{};                  ///< as it is written

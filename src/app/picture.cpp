@@ -1,28 +1,14 @@
 #include "app/picture.h"
 
-#include "app/progress_line.h"
-
 #include "core/log.h"
 
 namespace onde::app {
 
-void tell_kernels(const Session& session, const gpu::BuildReport& kernels) {
-    spdlog::info("rendering {}x{} on {}, kernels {} in {:.2f} s", session.options().width,
-                 session.options().height, session.device().facts().name,
+void tell_kernels(const Session& session, const gpu::BuildReport& kernels, size_t devices) {
+    const std::string others = devices > 1 ? fmt::format(" (one of {} devices)", devices) : "";
+    spdlog::info("rendering {}x{} on {}{}, kernels {} in {:.2f} s", session.options().width,
+                 session.options().height, session.device().facts().name, others,
                  kernels.from_cache ? "loaded" : "compiled", kernels.seconds);
-}
-
-RenderOutcome render_until_done(Session& session, const std::string& name,
-                                const StopOnInterrupt& interrupt, bool quiet,
-                                const std::function<void()>& meanwhile) {
-    ProgressLine line(quiet, name);
-    const RenderOutcome outcome = session.render([&](const Progress& progress) {
-        line.show(progress);
-        if (meanwhile) meanwhile();
-        return !interrupt.requested();
-    });
-    line.finish();
-    return outcome;
 }
 
 ShownPicture shown_picture(Session& session, Outputs& outputs) {

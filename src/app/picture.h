@@ -2,19 +2,31 @@
 #pragma once
 
 #include "app/interrupt.h"
+#include "app/progress_line.h"
 #include "app/render_request.h"
 #include "core/output.h"
 
 namespace onde::app {
 
-/// Says which device the session renders on, and what became of its kernels.
-void tell_kernels(const Session& session, const gpu::BuildReport& kernels);
+/// Says which device renders, of how many, and what became of its kernels.
+void tell_kernels(const Session& session, const gpu::BuildReport& kernels, size_t devices = 1);
 
-/// Renders until the picture is done or an interrupt is requested; the progress is shown after
-/// `name`, where there is one. Calls `meanwhile` a few times a second, between waves.
-RenderOutcome render_until_done(Session& session, const std::string& name,
+/// Renders by a Session or a DeviceGroup until the picture is done or an interrupt is requested;
+/// the progress is shown after `name`, where there is one. Calls `meanwhile` a few times a second,
+/// between waves.
+template <class Renderer>
+RenderOutcome render_until_done(Renderer& renderer, const std::string& name,
                                 const StopOnInterrupt& interrupt, bool quiet,
-                                const std::function<void()>& meanwhile = {});
+                                const std::function<void()>& meanwhile = {}) {
+    ProgressLine line(quiet, name);
+    const RenderOutcome outcome = renderer.render([&](const Progress& progress) {
+        line.show(progress);
+        if (meanwhile) meanwhile();
+        return !interrupt.requested();
+    });
+    line.finish();
+    return outcome;
+}
 
 /// What a session shows, by the denoiser where its options ask for one.
 struct ShownPicture {

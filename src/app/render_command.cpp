@@ -20,12 +20,12 @@
 namespace onde::app {
 namespace {
 
-void tell_findings(Session& session, const RenderOutcome& outcome) {
-    if (const Film::Invalid invalid = session.film().find_invalid(); invalid.count > 0)
+void tell_findings(const DeviceGroup& devices, const RenderOutcome& outcome) {
+    if (const Film::Invalid invalid = devices.find_invalid(); invalid.count > 0)
         spdlog::warn("{} samples were not finite and were left out; the first was sample {} of "
                      "pixel {},{}; please report the scene",
                      invalid.count, invalid.sample, invalid.x, invalid.y);
-    for (const std::string& finding : session.findings()) spdlog::info("{}", finding);
+    for (const std::string& finding : devices.session().findings()) spdlog::info("{}", finding);
     if (outcome.samples == 0)
         spdlog::warn("interrupted before the first sample; no picture was written");
     else if (outcome.interrupted)
@@ -50,19 +50,20 @@ struct Work {
     bool interrupted = false;
 };
 
-/// Renders what the session shows, and writes it. `timer` runs since the work on it began.
-void make_picture(Session& session, const Shot& shot, RenderReport report, const Timer& timer,
+/// Renders what the devices show, and writes it. `timer` runs since the work on it began.
+void make_picture(DeviceGroup& devices, const Shot& shot, RenderReport report, const Timer& timer,
                   Work& work) {
     const RenderRequest& request = work.request;
-    FilmKeeper keeper(session, shot, request.checkpoint);
-    report.kernels_before = session.kernel_times();
-    report.outcome = render_until_done(session, shot.name, work.interrupt, request.quiet,
+    FilmKeeper keeper(devices, shot, request.checkpoint);
+    report.kernels_before = devices.kernel_times();
+    report.outcome = render_until_done(devices, shot.name, work.interrupt, request.quiet,
                                        [&] { keeper.keep_if_due(); });
-    tell_findings(session, report.outcome);
+    tell_findings(devices, report.outcome);
     work.interrupted = report.outcome.interrupted || report.outcome.samples == 0;
     if (report.outcome.samples == 0) return;
 
     work.outputs.attempt([&] { keeper.keep(); });
+    Session& session = devices.session();
     const ShownPicture shown = shown_picture(session, work.outputs);
     report.denoiser = shown.denoiser;
     report.denoise_seconds = shown.seconds;
@@ -72,27 +73,28 @@ void make_picture(Session& session, const Shot& shot, RenderReport report, const
     work.done += !work.interrupted;
     report.write_seconds = writing.seconds();
     report.total_seconds = timer.seconds();
-    if (request.stats) print_report(session, report, stream_for_words(request));
-    if (!request.json.empty()) work.reports.push_back(report_json(session, report));
+    if (request.stats) print_report(devices, report, stream_for_words(request));
+    if (!request.json.empty()) work.reports.push_back(report_json(devices, report));
 }
 
 /// Makes one picture after the other until one fails or the user has had enough.
 void make_pictures(ShotSession& sessions, const std::vector<Shot>& shots, Timer timer, Work& work) {
     bool told = false;
     for (const Shot& shot : shots) {
-        Session& session = sessions.show(shot);
+        DeviceGroup& devices = sessions.show(shot);
         RenderReport report{.scene = work.request.scene.string(),
-                            .scene_hash = scene_hash(session.scene()),
+                            .scene_hash = scene_hash(devices.session().scene()),
                             .outputs = shot.outputs,
                             .at = shot.at,
                             .load_seconds = sessions.take_load_seconds()};
         work.interrupted = work.interrupt.requested() && told;
         if (work.interrupted) return;
-        const gpu::BuildReport kernels = session.prepare();
+        const gpu::BuildReport kernels = devices.prepare();
         if (report.load_seconds > 0) report.kernels = kernels;
-        if (!told || !report.kernels.from_cache) tell_kernels(session, kernels);
+        if (!told || !report.kernels.from_cache)
+            tell_kernels(devices.session(), kernels, devices.size());
         told = true;
-        make_picture(session, shot, std::move(report), timer, work);
+        make_picture(devices, shot, std::move(report), timer, work);
         if (work.interrupted || work.outputs.any_failed()) return;
         timer = Timer();
     }
@@ -118,9 +120,9 @@ bool run(const RenderRequest& request) {
     check_request(request);
     const std::vector<Shot> shots = resolve_shots(request);
     const bool timed = request.stats || !request.json.empty();
-    Machine machine =
-        open_machine(request.machine, timed ? gpu::Profiling::on : gpu::Profiling::off);
-    ShotSession sessions(machine, request, shots);
+    const Machines machines =
+        open_machines(request, timed ? gpu::Profiling::on : gpu::Profiling::off);
+    ShotSession sessions(machines, request, shots);
     Work work{request}; // from here on signals are caught
     make_pictures(sessions, shots, timer, work);
     tell_where_it_stopped(work, shots.size());

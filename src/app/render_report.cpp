@@ -35,8 +35,9 @@ void print_rays(std::FILE* to, const RenderOptions& options, const RenderOutcome
 }
 
 /// By kernel, for this picture.
-std::map<std::string, gpu::KernelTime> kernel_times(Session& session, const RenderReport& r) {
-    std::map<std::string, gpu::KernelTime> times = session.kernel_times();
+std::map<std::string, gpu::KernelTime> kernel_times(const DeviceGroup& devices,
+                                                    const RenderReport& r) {
+    std::map<std::string, gpu::KernelTime> times = devices.kernel_times();
     for (const auto& [name, before] : r.kernels_before) {
         times[name].launches -= before.launches;
         times[name].seconds -= before.seconds;
@@ -54,7 +55,8 @@ double mebi(const std::vector<gpu::BufferSize>& buffers) {
 
 } // namespace
 
-void print_report(Session& session, const RenderReport& r, std::FILE* to) {
+void print_report(const DeviceGroup& devices, const RenderReport& r, std::FILE* to) {
+    Session& session = devices.session();
     const gpu::DeviceFacts& device = session.device().facts();
     const RenderOptions& options = session.options();
     const Bvh& bvh = session.packed().bvh;
@@ -77,8 +79,11 @@ void print_report(Session& session, const RenderReport& r, std::FILE* to) {
                mebi(plan.scene), mebi(plan.paths), mebi(plan.film));
     fmt::print(to, "render    {:.4g} samples per pixel in {:.3f} s\n", r.outcome.samples,
                r.outcome.seconds);
-    print_rays(to, options, r.outcome, session.ray_counts());
-    for (const auto& [name, time] : kernel_times(session, r))
+    print_rays(to, options, r.outcome, devices.ray_counts());
+    for (const DeviceShare& share : devices.shares())
+        fmt::print(to, "share     {:4.1f} % of the samples, {} units, by {}{}\n", 100 * share.share,
+                   share.units, share.device, share.is_lost ? " (failed)" : "");
+    for (const auto& [name, time] : kernel_times(devices, r))
         fmt::print(to, "kernel    {:<12} {:8.3f} s in {} launches\n", name, time.seconds,
                    time.launches);
     if (!r.denoiser.empty())
@@ -86,12 +91,13 @@ void print_report(Session& session, const RenderReport& r, std::FILE* to) {
     fmt::print(to, "total     {:.3f} s\n", r.total_seconds);
 }
 
-Json report_json(Session& session, const RenderReport& r) {
+Json report_json(const DeviceGroup& devices, const RenderReport& r) {
+    Session& session = devices.session();
     const gpu::DeviceFacts& device = session.device().facts();
     const RenderOptions& options = session.options();
     const Bvh& bvh = session.packed().bvh;
     const MemoryPlan plan = session.memory_plan();
-    const RayCounts rays = session.ray_counts();
+    const RayCounts rays = devices.ray_counts();
     Json json = {
         {"scene", r.scene},
         {"scene_hash", r.scene_hash},
@@ -126,7 +132,7 @@ Json report_json(Session& session, const RenderReport& r) {
         {"closest_hit_rays", rays.extension},
         {"shadow_rays", rays.shadow},
         {"mrays_per_second", mega(double(rays.total())) / std::max(r.outcome.seconds, 1e-9)},
-        {"invalid_samples", session.film().find_invalid().count},
+        {"invalid_samples", devices.find_invalid().count},
     };
     if (options.clamp > 0) json["clamped_share"] = session.clamped_share();
     if (r.at) json["at"] = *r.at;
@@ -134,7 +140,12 @@ Json report_json(Session& session, const RenderReport& r) {
         json["denoiser"] = r.denoiser;
         json["denoise_seconds"] = r.denoise_seconds;
     }
-    for (const auto& [name, time] : kernel_times(session, r))
+    for (const DeviceShare& share : devices.shares())
+        json["shares"].push_back({{"device", share.device},
+                                  {"share", share.share},
+                                  {"units", share.units},
+                                  {"failed", share.is_lost}});
+    for (const auto& [name, time] : kernel_times(devices, r))
         json["kernels"][name] = {{"seconds", time.seconds}, {"launches", time.launches}};
     return json;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/json.h"
-#include "session/session.h"
+#include "session/device_group.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -27,9 +27,9 @@ struct RenderReport {
 };
 
 /// Several lines to that stream.
-void print_report(Session& session, const RenderReport& report, std::FILE* to);
+void print_report(const DeviceGroup& devices, const RenderReport& report, std::FILE* to);
 
 /// The same numbers as a JSON object.
-Json report_json(Session& session, const RenderReport& report);
+Json report_json(const DeviceGroup& devices, const RenderReport& report);
 
 } // namespace onde::app

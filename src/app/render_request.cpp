@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "core/output.h"
+#include "gpu/device_list.h"
 #include "scene/load.h"
 #include "scene/load_context.h"
 #include "upload/layout_choice.h"
@@ -218,8 +219,10 @@ void declare_denoiser(Command& command, RenderRequest& r) {
 }
 
 void declare_machine(Command& command, MachineRequest& r) {
-    command.option("--device", &r.device,
-                   "Device by number or part of its name (see onde devices)");
+    command.option(
+        "--device", &r.device,
+        "Device by number or part of its name (see onde devices); to render by several:\n"
+        "all, or a list such as 0,2; 0/2 is device 0 in two parts");
     command.option("--kernels", &r.kernels, "Read kernels from this folder (live editing)",
                    {.value = "DIR"});
     command.flag("--no-cache", r.no_cache, "Compile kernels anew");
@@ -234,6 +237,9 @@ void declare_options(Command& command, RenderRequest& request) {
     declare_estimator(command, request);
     declare_engine(command, request);
     declare_machine(command, request.machine);
+    command.flag("--mixed-devices", request.mixed_devices,
+                 "Let devices of several classes share a picture: its bits then depend on which of "
+                 "them took what");
     declare_reports(command, request);
 }
 
@@ -284,11 +290,40 @@ void check_request(const RenderRequest& r) {
                          r.environment_rotation);
 }
 
+static std::optional<gpu::ProgramCache> requested_cache(const MachineRequest& request) {
+    return request.no_cache ? std::nullopt : std::optional(gpu::ProgramCache());
+}
+
 Machine open_machine(const MachineRequest& request, gpu::Profiling profiling) {
-    gpu::KernelSources sources = gpu::KernelSources::from(request.kernels);
-    std::optional<gpu::ProgramCache> cache;
-    if (!request.no_cache) cache.emplace();
-    return Machine(request.device, std::move(sources), std::move(cache), profiling);
+    if (gpu::names_several(request.device))
+        throw InputError("--device {} names several devices, by which only onde render makes a "
+                         "picture; name one",
+                         request.device);
+    return Machine(request.device, gpu::KernelSources::from(request.kernels),
+                   requested_cache(request), profiling);
+}
+
+/// Devices of one class make the same bits.
+static void check_one_class(const Machines& machines) {
+    const std::string first = device_class(machines.front()->device.facts());
+    for (const auto& machine : machines)
+        if (const std::string other = device_class(machine->device.facts()); other != first)
+            throw InputError("--device names devices of several classes ({}; {}), whose samples "
+                             "have other bits, so that the picture's would depend on which of them "
+                             "took what; name devices of one class, or add --mixed-devices",
+                             first, other);
+}
+
+Machines open_machines(const RenderRequest& request, gpu::Profiling profiling) {
+    const auto sources = gpu::KernelSources::from(request.machine.kernels);
+    Machines machines;
+    for (gpu::Device& device : gpu::open_devices(request.machine.device, profiling))
+        machines.push_back(std::make_unique<Machine>(std::move(device), sources,
+                                                     requested_cache(request.machine)));
+    if (!request.mixed_devices) check_one_class(machines);
+    if (machines.size() > 1 && request.choices.seconds)
+        throw InputError("--time is for one device; name one, or say how many samples by --spp");
+    return machines;
 }
 
 void tell_note(const std::string& note) {

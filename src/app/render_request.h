@@ -12,6 +12,7 @@
 #include "session/session.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,9 @@ struct MachineRequest {
     bool no_cache = false;
 };
 
+/// Open devices, at least one.
+using Machines = std::vector<std::unique_ptr<Machine>>;
+
 struct RenderRequest {
     std::filesystem::path scene;
     LoadRequest load;
@@ -43,6 +47,7 @@ struct RenderRequest {
     std::optional<BvhLayout> layout;
     std::string environment;
     MachineRequest machine;
+    bool mixed_devices = false;
     float environment_rotation = 0.0f;
     std::optional<float> exposure;
     std::optional<ToneMap> tone_map;
@@ -87,8 +92,12 @@ Scene load_requested_scene(const RenderRequest& request);
 /// Throws InputError for values that are wrong whatever the scene is.
 void check_request(const RenderRequest& request);
 
-/// Opens the device with the kernels that are asked for.
+/// Opens the device with the kernels that are asked for. Throws InputError where several are named.
 Machine open_machine(const MachineRequest& request, gpu::Profiling profiling = gpu::Profiling::off);
+
+/// Opens the devices that the request names. Throws InputError for several whose samples have other
+/// bits, unless that is asked for, and for what several devices can't do.
+Machines open_machines(const RenderRequest& request, gpu::Profiling profiling);
 
 /// Logs it.
 void tell_note(const std::string& note);

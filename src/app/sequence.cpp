@@ -125,9 +125,9 @@ std::vector<Shot> resolve_shots(const RenderRequest& request) {
     return shots;
 }
 
-ShotSession::ShotSession(Machine& machine, const RenderRequest& request,
+ShotSession::ShotSession(const Machines& machines, const RenderRequest& request,
                          const std::vector<Shot>& shots)
-    : machine_(machine), request_(request), options_(requested_load(request)) {
+    : machines_(machines), request_(request), options_(requested_load(request)) {
     options_.all_round = request.turntable.has_value();
     if (shots.front().at && shots.size() > 1)
         options_.stage = fit_stage(request.scene, options_, moments_to_fit(shots));
@@ -138,30 +138,37 @@ ShotSession::ShotSession(Machine& machine, const RenderRequest& request,
 
 void ShotSession::load(const Shot& shot, const std::vector<fs::path>& outputs) {
     const Timer timer;
-    session_.reset(); // its memory first
+    group_.reset(); // its memory first
     if (shot.at) options_.at = shot.at;
     Scene scene = load_scene(request_.scene, options_);
     check_outputs_not_read(outputs, request_, scene);
     if (!shot.film.empty()) check_not_read(shot.film, scene.files);
     load_seconds_ += timer.seconds();
     const auto tell = [this](const std::string& note) {
+        const std::lock_guard lock(telling_);
         if (told_.insert(note).second) spdlog::info("{}", note);
     };
-    session_.reset(
-        new Session(open_session(machine_, std::move(scene), request_, {compiled_, tell})));
-    compiled_ = session_->packed().features;
+    std::vector<std::unique_ptr<Session>> sessions;
+    for (const auto& machine : machines_)
+        sessions.emplace_back(
+            new Session(open_session(*machine, scene, request_, {compiled_, tell})));
+    group_ = std::make_unique<DeviceGroup>(std::move(sessions), [](const std::string& why) {
+        spdlog::warn("{}; the other devices go on with its work", why);
+    });
+    Session& session = group_->session();
+    compiled_ = session.packed().features;
     at_ = shot.at;
-    camera_ = session_->camera();
-    bounds_ = scene_bounds(session_->scene());
+    camera_ = session.camera();
+    bounds_ = scene_bounds(session.scene());
 }
 
-Session& ShotSession::show(const Shot& shot) {
+DeviceGroup& ShotSession::show(const Shot& shot) {
     if (at_ != shot.at) load(shot, shot.outputs);
-    if (shot.turn == 0) return *session_;
-    session_->set_camera(turned_camera(camera_, bounds_, shot.turn));
+    if (shot.turn == 0) return *group_;
+    group_->set_camera(turned_camera(camera_, bounds_, shot.turn));
     // The added studio stands about the camera, as about a turntable on which the model turns.
-    if (session_->scene().has_studio) session_->set_environment_rotation(float(shot.turn));
-    return *session_;
+    if (group_->session().scene().has_studio) group_->set_environment_rotation(float(shot.turn));
+    return *group_;
 }
 
 } // namespace onde::app

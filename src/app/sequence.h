@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/render_request.h"
+#include "session/device_group.h"
 
 #include <memory>
 #include <set>
@@ -32,15 +33,16 @@ std::vector<Shot> resolve_shots(const RenderRequest& request);
 /// Where picture `number` goes: 7 of out.png to out.0007.png, of out-##.png to out-07.png.
 std::filesystem::path numbered_path(const std::filesystem::path& output, uint32_t number);
 
-/// The session that shows the pictures of a request, one after the other.
+/// The sessions that show the pictures of a request, one after the other.
 class ShotSession {
   public:
-    /// Loads what the first picture shows. The machine and the request outlive it.
-    ShotSession(Machine& machine, const RenderRequest& request, const std::vector<Shot>& shots);
+    /// Loads what the first picture shows. The machines and the request outlive it.
+    ShotSession(const Machines& machines, const RenderRequest& request,
+                const std::vector<Shot>& shots);
 
     /// As it shows a picture of the request: what the picture before it did not show is loaded.
     /// Kernels are compiled for the first picture and, where a later one needs more, for that.
-    Session& show(const Shot& shot);
+    DeviceGroup& show(const Shot& shot);
 
     /// Seconds of loading since it was asked last.
     double take_load_seconds() { return std::exchange(load_seconds_, 0); }
@@ -48,11 +50,12 @@ class ShotSession {
   private:
     void load(const Shot& shot, const std::vector<std::filesystem::path>& outputs);
 
-    Machine& machine_;
+    const Machines& machines_;
     const RenderRequest& request_;
     LoadOptions options_;
-    std::unique_ptr<Session> session_;
+    std::unique_ptr<DeviceGroup> group_;
     std::optional<SceneFeatures> compiled_; ///< what the kernels so far can do
+    std::mutex telling_;                    ///< sessions do on threads of their own
     std::set<std::string> told_;            ///< notes, each once
     std::optional<double> at_;              ///< what the session shows
     Camera camera_;                         ///< of what it shows, before it was turned

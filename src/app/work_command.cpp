@@ -3,6 +3,7 @@
 #include "app/film_request.h"
 #include "app/picture.h"
 #include "app/picture_files.h"
+#include "app/unit_renderer.h"
 
 #include "core/error.h"
 #include "core/log.h"
@@ -54,45 +55,6 @@ WorkPlan plan_of(const WorkRequest& request, const FilmHeader& header) {
     return plan;
 }
 
-/// Renders units in one session after the other's.
-class UnitRenderer {
-  public:
-    UnitRenderer(Session& session, const RenderRequest& request, const StopOnInterrupt& interrupt)
-        : session_(session), request_(request), interrupt_(interrupt),
-          header_(session.film_header()) {}
-
-    const FilmHeader& header() const { return header_; }
-
-    bool render(const Rectangle& window, std::pair<uint32_t, uint32_t> samples,
-                const std::filesystem::path& file, const std::function<void()>& renew) {
-        constexpr double RENEWED_AFTER = 2; // seconds
-        RenderOptions options = session_.options();
-        std::tie(options.first_sample, options.samples) = samples;
-        options.picture_samples = header_.samples;
-        options.rectangle = window;
-        session_.set_options(options);
-        session_.clear();
-        Timer since;
-        const std::string name = fmt::format("samples {} to {}", samples.first, samples.second - 1);
-        const auto meanwhile = [&] {
-            if (since.seconds() < RENEWED_AFTER) return;
-            renew();
-            since = Timer();
-        };
-        const RenderOutcome outcome =
-            render_until_done(session_, name, interrupt_, request_.quiet, meanwhile);
-        if (outcome.interrupted) return false;
-        write_film(file, {header_, window, session_.film().contents()});
-        return true;
-    }
-
-  private:
-    Session& session_;
-    const RenderRequest& request_;
-    const StopOnInterrupt& interrupt_;
-    FilmHeader header_;
-};
-
 void write_picture(const std::filesystem::path& path, const Session& session,
                    const RenderRequest& request, const std::filesystem::path& film) {
     FilmMerge merge({film});
@@ -126,10 +88,6 @@ bool run_work(const WorkRequest& request) {
     const Store store(request.store, request.lease);
     Machine machine = open_machine(request.render.machine);
     Session session = open_session(machine, load_requested_scene(request.render), request.render);
-    if (!follows_pixels(session.options().integrator))
-        throw InputError("workers share out samples of single pixels, by --integrator path or "
-                         "whitted; {} has none",
-                         word_of(session.options().integrator));
     StopOnInterrupt interrupt;
     UnitRenderer renderer(session, request.render, interrupt);
     Worker worker(store, plan_of(request, renderer.header()), request.verify / 100,

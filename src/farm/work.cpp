@@ -5,6 +5,7 @@
 #include "core/hash.h"
 #include "core/timer.h"
 #include "film/merge.h"
+#include "film/region.h"
 
 #include <unistd.h>
 
@@ -54,14 +55,7 @@ uint32_t WorkPlan::units() const {
 }
 
 Rectangle WorkPlan::window(uint32_t tile) const {
-    const auto border = [](uint32_t size, uint32_t i, uint32_t count) {
-        return uint32_t(uint64_t(size) * i / count);
-    };
-    const uint32_t column = tile % columns, row = tile / columns;
-    const uint32_t x = border(header.identity.width, column, columns);
-    const uint32_t y = border(header.identity.height, row, rows);
-    return {x, y, border(header.identity.width, column + 1, columns) - x,
-            border(header.identity.height, row + 1, rows) - y};
+    return tile_of({0, 0, header.identity.width, header.identity.height}, columns, rows, tile);
 }
 
 std::pair<uint32_t, uint32_t> WorkPlan::samples(uint32_t index) const {
@@ -79,35 +73,50 @@ static void check_plan(const WorkPlan& plan) {
                          plan.header.identity.width, plan.header.identity.height);
 }
 
+/// The note of it in a store.
+static constexpr const char* PLAN = "plan";
+
 /// As the first worker notes it, for the others.
 static std::string text_of(const WorkPlan& plan) {
     return fmt::format("{} samples in units of {}, {}x{} tiles", plan.header.samples,
                        plan.unit_samples, plan.columns, plan.rows);
 }
 
-Worker::Worker(const Store& store, WorkPlan plan, double verify, Render render)
-    : store_(store), plan_(std::move(plan)), verify_(verify), render_(std::move(render)) {
-    check_plan(plan_);
-    const auto begun = store.get("plan");
-    if (!begun) store.put("plan", text_of(plan_));
-    if (begun && *begun != text_of(plan_))
+void begin_plan(const Store& store, const WorkPlan& plan) {
+    check_plan(plan);
+    const auto begun = store.get(PLAN);
+    if (!begun) store.put(PLAN, text_of(plan));
+    if (begun && *begun != text_of(plan))
         throw InputError("{}: this store was begun with {}, not with {}; use the same, or another "
                          "folder",
-                         store.film().parent_path().string(), *begun, text_of(plan_));
+                         store.film().parent_path().string(), *begun, text_of(plan));
+}
+
+std::optional<BegunPlan> begun_plan(const Store& store) {
+    BegunPlan plan;
+    const auto text = store.get(PLAN);
+    if (!text ||
+        std::sscanf(text->c_str(), "%u samples in units of %u, %ux%u tiles", &plan.samples,
+                    &plan.unit_samples, &plan.columns, &plan.rows) != 4 ||
+        plan.unit_samples == 0)
+        return std::nullopt;
+    return plan;
+}
+
+Worker::Worker(const Store& store, WorkPlan plan, double verify, Render render)
+    : store_(store), plan_(std::move(plan)), verify_(verify), render_(std::move(render)) {
+    begin_plan(store_, plan_);
 }
 
 WorkState work_state(const Store& store) {
-    uint32_t samples = 0, unit = 0, columns = 0, rows = 0;
-    const auto plan = store.get("plan");
-    if (!plan ||
-        std::sscanf(plan->c_str(), "%u samples in units of %u, %ux%u tiles", &samples, &unit,
-                    &columns, &rows) != 4 ||
-        unit == 0)
+    const auto plan = begun_plan(store);
+    if (!plan)
         throw InputError("{}: no worker has begun here; start one with onde work",
                          store.film().parent_path().string());
     WorkState state;
-    const uint64_t of_tile = (uint64_t(samples) + unit - 1) / unit;
-    state.units = uint32_t(of_tile * columns * rows);
+    const uint64_t of_tile =
+        (uint64_t(plan->samples) + plan->unit_samples - 1) / plan->unit_samples;
+    state.units = uint32_t(of_tile * plan->columns * plan->rows);
     std::error_code ignored;
     state.complete = fs::exists(store.film(), ignored);
     state.workers = store.count_leases();

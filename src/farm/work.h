@@ -21,6 +21,16 @@ struct WorkPlan {
     std::pair<uint32_t, uint32_t> samples(uint32_t index) const;
 };
 
+/// Notes in the store how its picture is cut. Throws InputError for a cut that does not fit the
+/// picture, or the one that the store was begun with.
+void begin_plan(const Store& store, const WorkPlan& plan);
+
+/// How the picture of a store is cut; nothing where no worker has begun.
+struct BegunPlan {
+    uint32_t samples = 0, unit_samples = 0, columns = 0, rows = 0;
+};
+std::optional<BegunPlan> begun_plan(const Store& store);
+
 class Worker {
   public:
     /// Writes the film of a unit's samples to a file; false when it was interrupted. Calls `renew`

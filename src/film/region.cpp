@@ -99,4 +99,15 @@ Region operator-(const Region& a, const Region& b) {
     return Region::combine(a, b, [](bool in_a, bool in_b) { return in_a && !in_b; });
 }
 
+Rectangle tile_of(const Rectangle& whole, uint32_t columns, uint32_t rows, uint32_t tile) {
+    const auto border = [](uint32_t size, uint32_t i, uint32_t count) {
+        return uint32_t(uint64_t(size) * i / count);
+    };
+    const uint32_t column = tile % columns, row = tile / columns;
+    const uint32_t x = border(whole.width, column, columns);
+    const uint32_t y = border(whole.height, row, rows);
+    return {whole.x + x, whole.y + y, border(whole.width, column + 1, columns) - x,
+            border(whole.height, row + 1, rows) - y};
+}
+
 } // namespace onde

@@ -10,6 +10,9 @@
 
 namespace onde {
 
+/// One of columns x rows tiles, counted by rows, that cover the rectangle.
+Rectangle tile_of(const Rectangle& whole, uint32_t columns, uint32_t rows, uint32_t tile);
+
 class Region {
   public:
     Region() = default;

@@ -179,8 +179,8 @@ std::optional<size_t> device_named(const std::vector<DeviceFacts>& devices, std:
     return first(devices, matches);
 }
 
-/// "0: NAME on PLATFORM; 1: ..., which can't be used (why)": what there is, for an error's
-/// sentence.
+} // namespace
+
 std::string inventory(const std::vector<PlatformReport>& platforms) {
     std::vector<std::string> lines;
     size_t index = 0;
@@ -196,8 +196,6 @@ std::string inventory(const std::vector<PlatformReport>& platforms) {
     }
     return fmt::format("{}", fmt::join(lines, "; "));
 }
-
-} // namespace
 
 std::vector<PlatformReport> list_platforms() {
     return reports(open_platforms());

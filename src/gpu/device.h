@@ -49,6 +49,9 @@ inline constexpr const char* NO_PLATFORM =
     "no OpenCL platform is installed; install a driver for your GPU, or for the CPU the Debian "
     "package pocl-opencl-icd";
 
+/// "0: NAME on PLATFORM; 1: ..., unusable: why": what there is, for an error's sentence.
+std::string inventory(const std::vector<PlatformReport>& platforms);
+
 /// Every platform and device of the ICD loader, in the loader's order. A platform that fails is
 /// listed with its problem. Never throws for a broken platform.
 std::vector<PlatformReport> list_platforms();

@@ -15,8 +15,9 @@ struct Machine {
                      gpu::KernelSources sources = gpu::KernelSources::embedded(),
                      std::optional<gpu::ProgramCache> cache = gpu::ProgramCache(),
                      gpu::Profiling profiling = gpu::Profiling::off)
-        : device(gpu::open_device(selector, profiling)),
-          programs(device, std::move(sources), std::move(cache)) {}
+        : Machine(gpu::open_device(selector, profiling), std::move(sources), std::move(cache)) {}
+    Machine(gpu::Device opened, gpu::KernelSources sources, std::optional<gpu::ProgramCache> cache)
+        : device(std::move(opened)), programs(device, std::move(sources), std::move(cache)) {}
     Machine(const Machine&) = delete; // the programs refer to the device
     Machine& operator=(const Machine&) = delete;
 };

@@ -23,11 +23,12 @@ SRC_ARROWS = {
     "render": {"core", "image", "scene", "accel", "gpu", "upload", "shared"},
     "film": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
     "farm": {"core", "image", "scene", "accel", "gpu", "upload", "render", "film", "shared"},
+    "mpi": {"core", "farm"},
     "chapter": {"core", "image", "scene", "accel", "gpu", "upload", "render", "shared"},
     "session": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "film", "chapter", "shared"},
     "doctor": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "film", "chapter", "session", "shared",
                "probe"},
-    "app": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "film", "farm", "chapter", "session", "doctor",
+    "app": {"core", "image", "scene", "accel", "gpu", "denoise", "upload", "render", "film", "farm", "mpi", "chapter", "session", "doctor",
             "shared"},
 }
 SHADE = {"shared", "math", "trace", "shade"}
@@ -54,6 +55,7 @@ DOORS = [
     (re.compile(r"CL/"), re.compile(r"src/(gpu|upload|render|film|chapter)/"), "OpenCL is for gpu, upload, render, film, chapter"),
     (re.compile(r"png\.h|jpeglib|webp/|tiffio|Imf|openexr\.h|stb/|stored_image"), re.compile(r"src/image/"), "pictures are for image_io.h"),
     (re.compile(r"CLI/"), re.compile(r"src/core/command_line\.cpp"), "only command_line.cpp opens it"),
+    (re.compile(r"mpi\.h"), re.compile(r"src/mpi/present/"), "MPI is for src/mpi"),
     (re.compile(r"embree"), re.compile(r"^$"), "Embree is an oracle for tests, not for the renderer"),
 ]
 

@@ -3,6 +3,7 @@
 #include "app/film_keeper.h"
 #include "app/picture.h"
 #include "app/picture_files.h"
+#include "app/rank_render.h"
 #include "app/render_report.h"
 #include "app/sequence.h"
 
@@ -10,6 +11,7 @@
 #include "core/log.h"
 #include "core/output.h"
 #include "core/timer.h"
+#include "mpi/mpi_ranks.h"
 #include "scene/load.h"
 
 #include <algorithm>
@@ -113,11 +115,39 @@ void write_reports(bool is_sequence, Work& work) {
     work.outputs.attempt([&] { write_file(work.request.json, json_text(json)); });
 }
 
+/// A rank's part of one picture, which rank 0 writes; returns whether it was interrupted.
+bool run_as_rank(RenderRequest request) {
+    const Timer timer;
+    const std::unique_ptr<Ranks> ranks = join_mpi_job();
+    const bool writes = ranks->rank() == 0;
+    request.parts = parts_folder(request);
+    const std::vector<Shot> shots =
+        writes ? resolve_shots(request) : std::vector<Shot>(1); // others write parts only
+    const Machines machines = open_machine_of_rank(request, *ranks);
+    ShotSession sessions(machines, request, shots);
+    Work work{request};
+    work.interrupted =
+        render_by_ranks(sessions.show(shots.front()).session(), request, *ranks, work.interrupt);
+    if (work.interrupted) { // which ends the other ranks
+        spdlog::warn("interrupted; the same command goes on from {}", request.parts.string());
+        return true;
+    }
+    if (writes) {
+        make_pictures(sessions, shots, timer, work);
+        work.outputs.check();
+        remove_parts(request);
+    }
+    ranks->finish();
+    return work.interrupted;
+}
+
 /// Renders one request; returns whether it was interrupted.
 bool run(const RenderRequest& request) {
     set_up_logging(request.quiet);
     const Timer timer;
     check_request(request);
+    check_mpi_request(request);
+    if (request.mpi) return run_as_rank(request);
     const std::vector<Shot> shots = resolve_shots(request);
     const bool timed = request.stats || !request.json.empty();
     const Machines machines =
@@ -137,6 +167,7 @@ void add_render_command(Command& root, bool& interrupted) {
     const auto request = std::make_shared<RenderRequest>(); // what runs later is copied
     Command command = root.add_command("render", "Render a scene to a picture");
     declare_options(command, *request);
+    declare_mpi(command, *request);
     command.on_run([request, &interrupted] { interrupted = run(*request); });
 }
 

@@ -243,6 +243,15 @@ void declare_options(Command& command, RenderRequest& request) {
     declare_reports(command, request);
 }
 
+void declare_mpi(Command& command, RenderRequest& r) {
+    command.flag("--mpi", r.mpi,
+                 "Render with the other ranks of the job that mpirun started: mpirun -n 8 onde "
+                 "render --mpi ...");
+    command.option("--parts", &r.parts,
+                   "Folder that all ranks see, from which a job that died goes on (OUTPUT.parts)",
+                   {.value = "DIR"});
+}
+
 void declare_replay_options(Command& command, RenderRequest& request) {
     declare_view(command, request);
     declare_load(command, request.load);

@@ -48,6 +48,8 @@ struct RenderRequest {
     std::string environment;
     MachineRequest machine;
     bool mixed_devices = false;
+    bool mpi = false;            ///< this is a rank of an MPI job
+    std::filesystem::path parts; ///< folder of such a job, or empty
     float environment_rotation = 0.0f;
     std::optional<float> exposure;
     std::optional<ToneMap> tone_map;
@@ -79,6 +81,9 @@ void declare_denoiser(Command& command, RenderRequest& request);
 
 /// Declares every option of `onde render` on its subcommand.
 void declare_options(Command& command, RenderRequest& request);
+
+/// The options of ranks of an MPI job.
+void declare_mpi(Command& command, RenderRequest& request);
 
 /// Those of them that decide what a sample is, for commands that replay one.
 void declare_replay_options(Command& command, RenderRequest& request);

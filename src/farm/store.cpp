@@ -68,6 +68,13 @@ void Store::remove(const StoreKey& key) const {
     fs::remove(path(key), ignored);
 }
 
+void Store::remove_all() const {
+    std::error_code ignored;
+    for (const StoreKey& key : list()) remove(key);
+    for (const char* name : {"leases", "notes"}) fs::remove_all(folder_ / name, ignored);
+    fs::remove(folder_, ignored); // if it is empty
+}
+
 fs::path Store::lease(const std::string& name) const {
     return folder_ / "leases" / name;
 }

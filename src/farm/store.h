@@ -38,6 +38,8 @@ class Store {
     std::filesystem::path path(const StoreKey& key) const;
     std::filesystem::path film() const { return folder_ / "film.exr"; }
     void remove(const StoreKey& key) const;
+    /// The store itself, with all that it has; what else lies in the folder stays, and it too then.
+    void remove_all() const;
 
     /// Takes the lease of that name; false while another worker has it.
     bool claim(const std::string& name) const;

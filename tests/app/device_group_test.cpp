@@ -103,13 +103,25 @@ TEST_CASE("what several devices can't do is said in one sentence") {
     check_refused(folder, picture("0,abacus"), "no OpenCL device matches 'abacus'", EIGHT_UNITS, 3);
     check_refused(folder, {"work", "store", CORNELL, "--device", "0/2"},
                   "names several devices, by which only onde render");
-    const char* oclgrind = "/usr/lib/oclgrind/liboclgrind-rt-icd.so";
-    if (!fs::exists(oclgrind)) return;
-    folder.write("drivers/other.icd", std::string(oclgrind) + "\n");
+}
+
+TEST_CASE("devices of several classes are refused, or mixed where that is asked for") {
+    const char* simulator = "/usr/lib/oclgrind/liboclgrind-rt-icd.so";
+    if (!fs::exists(simulator)) return;
+    const Folder folder;
+    folder.write("drivers/other.icd", std::string(simulator) + "\n");
     for (const auto& entry : fs::directory_iterator("/etc/OpenCL/vendors"))
         if (entry.path().filename().string().find("pocl") != std::string::npos)
             fs::copy(entry.path(), folder / "drivers/pocl.icd");
     Environment both = EIGHT_UNITS;
     both["OCL_ICD_VENDORS"] = (folder / "drivers").string();
     check_refused(folder, picture("all"), "add --mixed-devices", both);
+    // One that fails, as this simulator may, costs the other its work.
+    const Arguments mixed{"--mixed-devices", "--layout", "wide",   "--size",  "4x3",
+                          "--depth",         "1",        "--film", "film.exr"};
+    const Outcome outcome = onde::test::onde(folder, picture("all", mixed), both);
+    INFO(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK_THAT(output_of(folder, {"film", "film.exr"}),
+               Catch::Contains("Oclgrind") && Catch::Contains(" and Portable Computing Language"));
 }

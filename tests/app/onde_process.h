@@ -93,10 +93,12 @@ struct Outcome {
 /// A running onde, in the folder, with kernels cached in one place for all tests.
 class Process {
   public:
-    Process(const Folder& folder, const Arguments& arguments, const Environment& environment = {}) {
+    /// `launcher`: the words before those of onde itself, of a program that starts it.
+    Process(const Folder& folder, const Arguments& arguments, const Environment& environment = {},
+            const Arguments& launcher = {}) {
         pid_ = fork();
         REQUIRE(pid_ >= 0);
-        if (pid_ == 0) become_onde(folder, arguments, environment);
+        if (pid_ == 0) become_onde(folder, arguments, environment, launcher);
     }
     ~Process() {
         if (pid_ > 0) wait();
@@ -105,6 +107,7 @@ class Process {
     Process& operator=(const Process&) = delete;
 
     void send(int signal) const { kill(pid_, signal); }
+    pid_t pid() const { return pid_; }
 
     /// Waits until the process has a handler for SIGINT, or none; false when that takes too long.
     bool wait_until_interrupt_is_caught(bool caught) const {
@@ -137,7 +140,7 @@ class Process {
     }
 
     [[noreturn]] void become_onde(const Folder& folder, const Arguments& arguments,
-                                  const Environment& environment) const {
+                                  const Environment& environment, const Arguments& launcher) const {
         const fs::path home = fs::path(ONDE_BINARY).parent_path() / "home-of-app-tests";
         fs::create_directories(home);
         setenv("HOME", home.c_str(), 1);
@@ -147,11 +150,13 @@ class Process {
         fs::current_path(folder.path());
         redirect(STDOUT_FILENO, streams_ / "out");
         redirect(STDERR_FILENO, streams_ / "err");
-        std::vector<char*> argv{const_cast<char*>(ONDE_BINARY)};
-        for (const std::string& argument : arguments)
-            argv.push_back(const_cast<char*>(argument.c_str()));
+        Arguments words = launcher;
+        words.emplace_back(ONDE_BINARY);
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        std::vector<char*> argv;
+        for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
-        execv(ONDE_BINARY, argv.data());
+        execvp(argv.front(), argv.data());
         _exit(127);
     }
 

@@ -67,6 +67,8 @@ INLINE void film_add_sample_aovs(FilmView film, WaveJob job, uint path, uint pla
 #if ONDE_AOVS
     if (HAS_AOV(SQUARES)) film_add_aov(film, job, path, ++plane, sample_squares(radiance * kept));
     if (HAS_AOV(CLAMPED)) film_add_aov(film, job, path, ++plane, radiance * (1.0f - kept));
+    if (HAS_AOV(HALVES) && ++plane && (path_sample(job, path) & HALF_BLOCK))
+        film_add_aov(film, job, path, plane, radiance * kept);
 #endif
 }
 

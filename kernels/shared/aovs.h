@@ -25,7 +25,12 @@
     AOV(GLOSSY, glossy, "glossy", "RGB", LIGHT)                                                    \
     AOV(TRANSMITTED, transmitted, "transmitted", "RGB", LIGHT)                                     \
     AOV(SQUARES, squares, "variance", "RGB", SAMPLE)                                               \
-    AOV(CLAMPED, clamped, "clamped", "RGB", SAMPLE)
+    AOV(CLAMPED, clamped, "clamped", "RGB", SAMPLE)                                                \
+    AOV(HALVES, halves, "error", "RGB", SAMPLE)
+
+// Of the samples of a block, those whose numbers have this bit are its second half, whose sum
+// HALVES is.
+#define HALF_BLOCK 32u
 
 #define AOV_NUMBER(NAME, name, word, letters, SOURCE) AOV_##NAME,
 enum { AOVS(AOV_NUMBER) AOV_COUNT };

@@ -24,9 +24,7 @@ struct CheckedFilm {
 
     explicit CheckedFilm(const std::filesystem::path& path) : reader(path) {
         for (size_t part = 0; part < reader.parts().size(); part++) reader.check_part(part);
-        const FilmIdentity& identity = reader.header().identity;
-        missing = missing_ranges(reader.parts(), identity.width, identity.height,
-                                 reader.header().samples);
+        missing = missing_ranges(reader.parts(), reader.header());
     }
 };
 
@@ -57,8 +55,10 @@ void print_json(const CheckedFilm& film) {
 void print_words(const CheckedFilm& film) {
     for (const auto& [key, text] : texts_of(film.reader.header()))
         fmt::print("{:<22} {}\n", key.substr(key.find(':') + 1), printable(text));
+    const char* where_needed =
+        film.reader.header().identity.noise > 0 ? " as far as they needed them" : "";
     for (const FilmRange& range : film.reader.parts()) {
-        fmt::print("has                    {}\n", words_of(range));
+        fmt::print("has                    {}{}\n", words_of(range), where_needed);
         if (range.pass > 0)
             fmt::print("                       the last {} of them of {} pixels only, as it was "
                        "interrupted\n",

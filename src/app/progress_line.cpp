@@ -22,7 +22,7 @@ ProgressLine::ProgressLine(bool quiet, const std::string& name)
 void ProgressLine::show(const Progress& p) {
     if (quiet_) return;
     const std::string line = fmt::format(
-        "{}{:3.0f} %  {:.4g} of {} samples  {:.2f} Mrays/s  {} left", name_, 100 * p.fraction,
+        "{}{:3.0f} %  {:.4g} of {:.4g} samples  {:.2f} Mrays/s  {} left", name_, 100 * p.fraction,
         p.samples, p.target_samples, p.rays_per_second * 1e-6, duration(p.seconds_left));
     if (terminal_) {
         std::fprintf(stderr, "\ronde: %s\033[K", line.c_str());

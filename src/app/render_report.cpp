@@ -134,6 +134,13 @@ Json report_json(const DeviceGroup& devices, const RenderReport& r) {
         {"mrays_per_second", mega(double(rays.total())) / std::max(r.outcome.seconds, 1e-9)},
         {"invalid_samples", devices.find_invalid().count},
     };
+    if (const auto noise = session.noise()) {
+        json["noise"] = options.noise;
+        json["noise_share"] = noise->share;
+        json["noise_is_met"] = noise->is_met;
+        json["fewest_samples"] = noise->fewest;
+        json["most_samples"] = noise->most;
+    }
     if (options.clamp > 0) json["clamped_share"] = session.clamped_share();
     if (r.at) json["at"] = *r.at;
     if (!r.denoiser.empty()) {

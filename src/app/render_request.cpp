@@ -62,6 +62,10 @@ void declare_picture(Command& command, RenderRequest& r) {
                    {.value = "N"});
     command.option("--time", &r.choices.seconds, "Stop a picture after about that many seconds",
                    {.value = "SECONDS"});
+    command.option("--noise", &r.choices.noise,
+                   "Render until each pixel is, with 95 % probability, off by no more than this\n"
+                   "share of white as it is shown, for example 0.02; --spp is the most then (off)",
+                   {.value = "ERROR"});
     command.option(
         "--aov", &r.aovs,
         "Further channels: in an .exr beside the picture's own, to OUTPUT.WORD.png of a\n"
@@ -286,6 +290,9 @@ void check_request(const RenderRequest& r) {
     // "nan" and "inf" are read as numbers.
     if (r.choices.clamp && !(*r.choices.clamp > 0 && std::isfinite(*r.choices.clamp)))
         throw InputError("--clamp {} is not a positive radiance", *r.choices.clamp);
+    if (r.choices.noise && !(*r.choices.noise >= 0 && std::isfinite(*r.choices.noise)))
+        throw InputError("--noise {} is no share of white, such as 0.02; 0 is none",
+                         *r.choices.noise);
     if (r.choices.seconds && !(*r.choices.seconds > 0 && std::isfinite(*r.choices.seconds)))
         throw InputError("--time {} is not a positive number of seconds", *r.choices.seconds);
     for (auto aov = r.aovs.begin(); aov != r.aovs.end(); ++aov)
@@ -344,6 +351,7 @@ Session open_session(Machine& machine, Scene scene, const RenderRequest& request
     RenderChoices choices = request.choices;
     choices.sample_range = requested_samples(request);
     choices.rectangle = requested_rectangle(request);
+    choices.exposure = request.exposure;
     if (!request.size.empty()) std::tie(choices.width, choices.height) = parse_size(request.size);
     for (const std::string& aov : request.aovs)
         if (const FilmChannel* channel = find_channel(aov); channel && channel->sums < AOV_COUNT)

@@ -10,10 +10,7 @@ UnitRenderer::UnitRenderer(Session& session, const RenderRequest& request,
                            const StopOnInterrupt& interrupt)
     : session_(session), request_(request), interrupt_(interrupt), picture_(session.options()),
       header_(session.film_header()) {
-    if (!follows_pixels(picture_.integrator))
-        throw InputError("workers share out samples of single pixels, by --integrator path or "
-                         "whitted; {} has none",
-                         word_of(picture_.integrator));
+    check_units(picture_, "workers");
 }
 
 bool UnitRenderer::render(const Rectangle& window, std::pair<uint32_t, uint32_t> samples,

@@ -36,9 +36,10 @@ void check_work_request(const WorkRequest& r) {
     if (is_sequence(render))
         throw InputError("a store is of one picture; give each frame a store of its own");
     if (!render.film.empty() || !render.resume.empty() || render.checkpoint ||
-        !render.sample_range.empty() || !render.rectangle.empty() || render.choices.seconds)
+        !render.sample_range.empty() || !render.rectangle.empty() || render.choices.seconds ||
+        render.choices.noise.value_or(0) > 0)
         throw InputError("workers share out samples and pixels by themselves; leave out --film, "
-                         "--resume, --checkpoint, --samples, --rectangle and --time");
+                         "--resume, --checkpoint, --samples, --rectangle, --time and --noise");
     check_request(render);
     if (render.outputs.empty()) return;
     check_outputs(named_outputs(render), render);
@@ -87,7 +88,9 @@ bool run_work(const WorkRequest& request) {
     check_work_request(request);
     const Store store(request.store, request.lease);
     Machine machine = open_machine(request.render.machine);
-    Session session = open_session(machine, load_requested_scene(request.render), request.render);
+    RenderRequest own = request.render;
+    own.choices.noise = 0; // the scene's is left out
+    Session session = open_session(machine, load_requested_scene(own), own);
     StopOnInterrupt interrupt;
     UnitRenderer renderer(session, request.render, interrupt);
     Worker worker(store, plan_of(request, renderer.header()), request.verify / 100,

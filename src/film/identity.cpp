@@ -88,7 +88,7 @@ FilmIdentity film_identity(const Scene& scene, const RenderOptions& options,
     return {scene_hash(scene),  options.camera,         options.width, options.height,
             options.depth,      options.roulette_start, options.seed,  options.filter,
             options.integrator, options.background,     options.aovs,  options.clamp,
-            bvh.watertight};
+            options.noise,      options.noise_exposure, bvh.watertight};
 }
 
 std::string device_class(const gpu::DeviceFacts& facts) {

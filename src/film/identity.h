@@ -20,7 +20,7 @@ struct FilmIdentity {
     IntegratorKind integrator;
     Background background;
     uint32_t aovs;
-    float clamp;
+    float clamp, noise, noise_exposure;
     bool watertight;
 };
 
@@ -38,6 +38,8 @@ constexpr auto fields_of(TypeTag<FilmIdentity>) {
                       field_without_key(&I::background, "background"),
                       field_without_key(&I::aovs, "set of AOVs"),
                       field_without_key(&I::clamp, "clamp"),
+                      field_without_key(&I::noise, "noise"),
+                      field_without_key(&I::noise_exposure, "exposure of noise"),
                       field_without_key(&I::watertight, "triangle test")};
 }
 

@@ -64,13 +64,14 @@ std::vector<FilmRange> join_ranges(std::span<const FilmRange> ranges) {
     return joined;
 }
 
-std::vector<FilmRange> missing_ranges(std::span<const FilmRange> ranges, uint32_t width,
-                                      uint32_t height, uint32_t samples) {
+std::vector<FilmRange> missing_ranges(std::span<const FilmRange> ranges, const FilmHeader& header) {
+    if (header.identity.noise > 0) return {};
+    const uint32_t samples = header.samples;
     std::set<uint64_t> borders{0, samples};
     for (const FilmRange& range : ranges)
         for (const uint64_t border : {uint64_t(range.first), range.end()})
             if (border < samples) borders.insert(border);
-    const Region picture(Rectangle{0, 0, width, height});
+    const Region picture(Rectangle{0, 0, header.identity.width, header.identity.height});
     std::vector<FilmRange> missing;
     Region before; // what the samples before the border lack
     size_t of_before = 0;

@@ -14,10 +14,9 @@ namespace onde {
 /// their samples.
 std::vector<FilmRange> join_ranges(std::span<const FilmRange> ranges);
 
-/// Those of `samples` samples of a picture that these parts lack, in the order of samples; their
-/// counts need not be those of nodes.
-std::vector<FilmRange> missing_ranges(std::span<const FilmRange> ranges, uint32_t width,
-                                      uint32_t height, uint32_t samples);
+/// Those of a picture's samples that these parts lack, in the order of samples; their counts need
+/// not be those of nodes. A picture that its noise ends lacks none: nobody knows which.
+std::vector<FilmRange> missing_ranges(std::span<const FilmRange> ranges, const FilmHeader& header);
 
 /// Two of these that have a sample of a pixel in common, by their indices.
 std::optional<std::pair<size_t, size_t>> find_overlap(std::span<const FilmRange> ranges);

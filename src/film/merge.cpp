@@ -5,6 +5,7 @@
 #include "image/tone.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace onde {
 namespace {
@@ -50,6 +51,10 @@ FilmMerge::FilmMerge(std::vector<std::filesystem::path> files) : files_(std::mov
 void FilmMerge::add_file(size_t file) {
     FilmReader& reader = open(file);
     const FilmHeader& header = reader.header();
+    if (header.identity.noise > 0 && files_.size() > 1)
+        throw InputError("{}: is of a render that --noise ends, which decides from all of its "
+                         "pixels; such films can't be joined with others",
+                         files_[file].string());
     const uint32_t samples = std::max(header_.samples, header.samples);
     if (file > 0) check_same(header, header_, files_[file].string());
     // What is not compared is that of the first name, in whatever order they come.
@@ -78,12 +83,15 @@ FilmReader& FilmMerge::open(size_t file) {
 }
 
 std::vector<FilmRange> FilmMerge::missing() const {
-    return missing_ranges(joined_, header_.identity.width, header_.identity.height,
-                          header_.samples);
+    return missing_ranges(joined_, header_);
 }
 
-double FilmMerge::samples() const {
+double FilmMerge::samples() {
     double all = 0;
+    if (header_.identity.noise > 0) { // not every pixel has them all
+        const std::vector<float> counts = std::move(develop({SAMPLE_COUNT}).front().pixels);
+        return std::accumulate(counts.begin(), counts.end(), all) / double(counts.size());
+    }
     for (const FilmRange& range : joined_) all += double(range.window.pixels()) * range.count;
     return all / (double(header_.identity.width) * header_.identity.height);
 }

@@ -23,7 +23,7 @@ class FilmMerge {
     /// What the picture lacks.
     std::vector<FilmRange> missing() const;
     /// Per pixel, on average.
-    double samples() const;
+    double samples();
 
     /// Writes the film of all. Throws InputError where one of them was interrupted within a pass.
     void write(const std::filesystem::path& path);

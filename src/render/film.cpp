@@ -1,6 +1,7 @@
 #include "render/film.h"
 
 #include "core/error.h"
+#include "render/noise.h"
 
 #include "shared/frame.h"
 
@@ -9,6 +10,8 @@
 
 namespace onde {
 namespace {
+
+static_assert(FILM_BLOCK == 2 * HALF_BLOCK);
 
 /// Whether a film may get more than one block. Splats, which are exact, are never carried.
 bool has_several_blocks(const RenderOptions& options) {
@@ -19,7 +22,8 @@ bool has_several_blocks(const RenderOptions& options) {
 /// Levels that the blocks are carried to; the last block stays where it is added.
 size_t pending_levels(const RenderOptions& options) {
     if (!has_several_blocks(options)) return 0;
-    if (options.seconds > 0) return 0; // nobody knows how many; they are allocated when they come
+    // Where nobody knows how many there will be, they are allocated when they come.
+    if (options.seconds > 0 || options.noise > 0) return 0;
     return size_t(std::bit_width((options.samples - 1 - options.first_sample) / FILM_BLOCK));
 }
 
@@ -72,8 +76,7 @@ uint32_t Film::begin_pass(uint32_t first, uint32_t count, uint32_t pixels) {
     if (!follows || !begins_block || count == 0 || count > FILM_BLOCK - first % FILM_BLOCK)
         throw InputError("{} samples from {} can't follow sample {} of a film", count, first,
                          extent_.end);
-    const bool is_full = extent_.end == FILM_BLOCK * (uint64_t(block_) + 1);
-    if (is_full && !is_splatted()) carry();
+    if (is_block_full() && !is_splatted()) carry();
     extent_.pass = count;
     pass_pixels_ = pixels;
     return extent_.pixels;
@@ -117,18 +120,31 @@ void Film::launch(const char* name, const gpu::Buffer<cl_float4>& pending) {
     kernel.launch((sum_count() + chunk - 1) / chunk);
 }
 
-FilmSums Film::read(const FilmNode& node) const {
-    if (!node.is_right()) return sums_.pending[node.level].read(device_);
-    return std::ranges::find(finished_, node, &FilmPart::node)->sums;
+FilmSums Film::read(const FilmNode& node, uint32_t plane, uint32_t planes) const {
+    const size_t first = size_t(plane) * pixels(), count = size_t(planes) * pixels();
+    if (!node.is_right()) return sums_.pending[node.level].read(device_, first, count);
+    const FilmSums& all = std::ranges::find(finished_, node, &FilmPart::node)->sums;
+    return {all.begin() + ptrdiff_t(first), all.begin() + ptrdiff_t(first + count)};
 }
 
-FilmSums Film::join() const {
+FilmSums Film::read_block(uint32_t plane, uint32_t planes) const {
+    return sums_.block.read(device_, size_t(plane) * pixels(), size_t(planes) * pixels());
+}
+
+FilmSums Film::join(bool with_block, uint32_t plane, uint32_t planes) const {
     std::vector<FilmNode> all = nodes();
-    all.push_back({0, block_});
+    const size_t carried = all.size();
+    if (with_block) all.push_back({0, block_});
     const auto load = [&](size_t i) {
-        return i + 1 < all.size() ? read(all[i]) : sums_.block.read(device_);
+        return i < carried ? read(all[i], plane, planes) : read_block(plane, planes);
     };
     return join_nodes(std::span<const FilmNode>(all), load, add_sums);
+}
+
+FilmSums Film::whole_blocks(uint32_t sums) const {
+    const bool is_full = is_block_full();
+    if (!is_full && nodes().empty()) return FilmSums(pixels(), cl_float4{});
+    return join(is_full, film_plane(aovs_, sums), 1);
 }
 
 void add_sums(FilmSums& sums, const FilmSums& more) {
@@ -176,13 +192,15 @@ static float variance_of_mean(float sum, float squares, float samples) {
 Image Film::develop(const FilmChannel& channel) const {
     if (!has(channel))
         throw InputError("the film has no {}; ask for it before rendering", channel.name);
-    return develop_sums(join(), width_, height_, aovs_, channel);
+    return develop_sums(join(true, 0, film_planes(aovs_)), width_, height_, aovs_, channel);
 }
 
 Image develop_sums(const FilmSums& all, uint32_t width, uint32_t height, uint32_t aovs,
                    const FilmChannel& channel) {
     const size_t pixels = size_t(width) * height;
     const std::span sums = std::span(all).subspan(film_plane(aovs, channel.sums) * pixels, pixels);
+    if (channel.develop == Develop::error)
+        return standard_error({width, height, std::span(all).first(pixels), sums});
     Image image(width, height, channel.components());
     for (size_t i = 0; i < sums.size(); i++)
         for (uint32_t k = 0; k < channel.components(); k++)
@@ -205,8 +223,9 @@ void Film::clear() {
 FilmContents Film::contents() const {
     FilmContents contents{width_, height_, aovs_, extent_, {}, sums_.block.read(device_), {}};
     contents.splats = splats_.read(device_);
-    for (const FilmNode& node : nodes()) contents.parts.push_back({node, read(node)});
-    if (is_splatted() || extent_.end != FILM_BLOCK * (uint64_t(block_) + 1)) return contents;
+    for (const FilmNode& node : nodes())
+        contents.parts.push_back({node, read(node, 0, film_planes(aovs_))});
+    if (is_splatted() || !is_block_full()) return contents;
     add_part(contents.parts, {{0, block_}, std::move(contents.block)});
     contents.block.assign(sum_count(), cl_float4{});
     return contents;

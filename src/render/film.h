@@ -42,8 +42,10 @@ class Film {
     const gpu::Buffer<cl_float4>& sums() const { return sums_.block; }
     const gpu::Buffer<uint32_t>& invalid() const { return invalid_; }
 
+    uint32_t width() const { return width_; }
+    uint32_t height() const { return height_; }
     const FilmExtent& extent() const { return extent_; }
-    /// Per pixel, not whole after an interrupted pass.
+    /// Per pixel of those that get all, not whole after an interrupted pass.
     double samples() const;
 
     /// To be called before samples first .. first + count - 1 are added to a list of `pixels`
@@ -57,6 +59,8 @@ class Film {
     /// Whether it has that channel, and its picture: pixels without a sample are black.
     bool has(const FilmChannel& channel) const;
     Image develop(const FilmChannel& channel = RADIANCE) const;
+    /// The sums of an AOV, or of RADIANCE_SUMS, over all blocks of 64 samples that are whole.
+    FilmSums whole_blocks(uint32_t sums) const;
 
     /// Removes its sums. Who counts beside them is in Integrator::clear().
     void clear();
@@ -88,9 +92,13 @@ class Film {
     bool has(const FilmNode& node) const;
     /// Those before the current block.
     std::vector<FilmNode> nodes() const;
-    FilmSums read(const FilmNode& node) const;
+    bool is_block_full() const { return extent_.end == FILM_BLOCK * (uint64_t(block_) + 1); }
+    /// Some planes of a node, from the one on.
+    FilmSums read(const FilmNode& node, uint32_t plane, uint32_t planes) const;
+    FilmSums read_block(uint32_t plane, uint32_t planes) const;
     void put(const FilmPart& part);
-    FilmSums join() const;
+    /// The same of all nodes, and where it is asked for, of the current block.
+    FilmSums join(bool with_block, uint32_t plane, uint32_t planes) const;
 
     gpu::Programs& programs_;
     const gpu::Device& device_;

@@ -32,6 +32,7 @@ enum class Develop {
     share,    ///< the mean, but within 0 and 1
     sum,      ///< as they are
     variance, ///< of the mean of radiance, from the sum of its squares
+    error,    ///< the standard error of radiance, from the sum of halves (render/noise.h)
 };
 
 /// The float4 sums that radiance has; the AOVs of shared/aovs.h have others.
@@ -54,6 +55,7 @@ inline constexpr FilmChannel SAMPLE_COUNT{"sample-count", "X", RADIANCE_SUMS, 3,
 /// Every channel that there is. A film has those of radiance, and the AOVs that it is asked for.
 constexpr Develop develop_of_aov(uint32_t aov) {
     if (aov == AOV_SQUARES) return Develop::variance;
+    if (aov == AOV_HALVES) return Develop::error;
     return aov == AOV_ALPHA ? Develop::share : Develop::mean;
 }
 #define ONDE_CHANNEL(NAME, name, word, letters, SOURCE)                                            \

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 
 namespace onde {
 
@@ -30,6 +31,10 @@ class Integrator {
     virtual void clear() { film().clear(); }
     /// The same with another camera. False, with nothing done, where that takes another integrator.
     virtual bool set_camera(const Camera&) { return false; }
+    /// From the next pass on, samples go to these pixels alone (x | y << 16), in this order; no
+    /// more than the film has. At first they are those of the options' rectangle, or all. Only of
+    /// integrators whose samples are each of one pixel.
+    virtual void set_pixels(std::span<const uint32_t>) {}
 
     virtual Film& film() = 0;
     virtual RayCounts ray_counts() const = 0;

@@ -7,6 +7,7 @@
 #include "shared/whitted.h"
 
 #include <bit>
+#include <cmath>
 
 namespace onde {
 
@@ -32,6 +33,27 @@ static void check_film(const RenderOptions& options) {
     const bool has_clamped = (options.aovs >> AOV_CLAMPED & 1) != 0;
     if (has_clamped != (options.clamp > 0))
         throw InputError("the AOV clamped is what a clamp removes; ask for both, or for neither");
+}
+
+/// Half of a step of 8 bits, squared by the shown values' root, takes no more.
+constexpr float LEAST_NOISE = 1e-4f;
+
+static void check_noise(const RenderOptions& options) {
+    if (options.noise == 0) return;
+    if (!(options.noise >= LEAST_NOISE && options.noise <= 1))
+        throw InputError("noise {} is out of range; use {} to 1", options.noise, LEAST_NOISE);
+    if (!std::isfinite(options.noise_exposure))
+        throw InputError("the exposure {} is not a number of stops", options.noise_exposure);
+    if (options.integrator != IntegratorKind::path)
+        throw InputError("--noise is for --integrator path, not for {}",
+                         word_of(options.integrator));
+    if (!(options.aovs >> AOV_HALVES & 1))
+        throw InputError("a film with a noise target needs the AOV error");
+    if (options.first_sample > 0)
+        throw InputError(
+            "--noise decides from all samples of a picture which ones follow; it can't "
+            "be had of those from {} on",
+            options.first_sample);
 }
 
 static void check_rectangle(const RenderOptions& options) {
@@ -63,6 +85,7 @@ void check_options(const RenderOptions& options) {
     const bool is_whitted = options.integrator == IntegratorKind::whitted;
     check_range(is_whitted ? "depth of --integrator whitted" : "depth", options.depth, 1,
                 most_depth(options.integrator));
+    check_noise(options);
     check_film(options);
     check_rectangle(options);
     const gpu::DeviceSettings& s = options.settings;

@@ -29,8 +29,11 @@ struct RenderOptions {
     uint32_t picture_samples = 0; ///< where others render more of them: the whole picture's; else 0
     std::optional<Rectangle> rectangle{}; ///< the only pixels that get samples
     double seconds = 0;                   ///< stop after about that long; 0: no limit
-    uint32_t depth = 12;                  ///< the most surfaces a path visits, in [1, 1023]
-    uint32_t roulette_start = 1;          ///< first bounce at which Russian roulette may end a path
+    /// By how much shown values may be off (render/noise.h), where `samples` is the most of a
+    /// pixel, and the stops by which they are shown brighter; 0: all pixels get all samples.
+    float noise = 0, noise_exposure = 0;
+    uint32_t depth = 12;         ///< the most surfaces a path visits, in [1, 1023]
+    uint32_t roulette_start = 1; ///< first bounce at which Russian roulette may end a path
     uint32_t seed = 0;
     Filter filter = Filter::blackman_harris;
     uint32_t camera = 0; ///< index into the scene's cameras

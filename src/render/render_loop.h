@@ -9,11 +9,11 @@
 namespace onde {
 
 struct Progress {
-    double fraction = 0; ///< of the samples, or of the time where that is the limit
-    double samples = 0;  ///< per pixel so far
-    uint32_t target_samples = 0;
-    double seconds = 0;      ///< so far
-    double seconds_left = 0; ///< estimated
+    double fraction = 0;       ///< of the samples, or of the time where that is the limit
+    double samples = 0;        ///< per pixel so far
+    double target_samples = 0; ///< about, where the noise decides
+    double seconds = 0;        ///< so far
+    double seconds_left = 0;   ///< estimated
     double rays_per_second = 0;
 };
 
@@ -24,10 +24,11 @@ struct RenderOutcome {
 };
 
 /// Renders until the integrator's film has the samples options.first_sample to options.samples - 1,
-/// or until options.seconds have passed (checked between passes, so that all pixels have equally
-/// many), or until `stop` becomes true (checked between waves). A film that holds samples is
-/// continued; the samples of the progress and the outcome are all that it holds. Calls `report`
-/// about `reports_per_second` times a second, and at the end.
+/// or no pixel needs more of them for options.noise, or until options.seconds have passed (checked
+/// between passes, so that all pixels have equally many), or until `stop` becomes true (checked
+/// between waves). A film that holds samples is continued; the samples of the progress and the
+/// outcome are all that it holds. Calls `report` about `reports_per_second` times a second, and at
+/// the end.
 RenderOutcome render(Integrator& integrator, const RenderOptions& options,
                      const std::atomic<bool>& stop,
                      const std::function<void(const Progress&)>& report,

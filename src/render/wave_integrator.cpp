@@ -52,8 +52,9 @@ void WaveIntegrator::render_pass(uint32_t first, uint32_t count,
     const uint32_t pixels_per_wave = engine_->wave_capacity() / step;
     std::deque<gpu::Fence> in_flight;
     bool goes_on = true;
-    for (uint32_t begin = film_.begin_pass(first, count, pixels_), end = 0;
-         begin < pixels_ && goes_on; begin = end) {
+    const uint32_t had = film_.begin_pass(first, count, pixels_);
+    if (had >= pixels_) film_.end_wave(pixels_); // a film from outside
+    for (uint32_t begin = had, end = 0; begin < pixels_ && goes_on; begin = end) {
         end = std::min(begin + pixels_per_wave, pixels_);
         for (uint32_t done = 0; done < count; done += step)
             queue_wave({begin, end - begin, first + done, step});

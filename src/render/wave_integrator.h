@@ -19,9 +19,7 @@ class WaveIntegrator : public Integrator {
     uint32_t max_samples() const override;
     void clear() override;
     bool set_camera(const Camera& camera) override;
-    /// From the next pass on, samples go to these pixels alone (x | y << 16), in this order; no
-    /// more than the film has. At first they are those of the options' rectangle, or all.
-    void set_pixels(std::span<const uint32_t> pixels);
+    void set_pixels(std::span<const uint32_t> pixels) override;
 
     Film& film() override { return film_; }
     const gpu::BuildReport& build_report() const override { return engine_->build_report(); }

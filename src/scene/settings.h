@@ -46,7 +46,7 @@ inline constexpr Range FILM_SIZE{.low = 1, .high = 65535};
 struct RenderSettings {
     std::optional<uint32_t> width, height, samples, depth, seed;
     std::optional<Filter> filter;
-    std::optional<float> exposure;
+    std::optional<float> exposure, noise;
     std::optional<ToneMap> tone_map;
     std::optional<IntegratorKind> integrator;
     std::optional<Background> background;
@@ -59,6 +59,11 @@ constexpr auto fields_of(TypeTag<RenderSettings>) {
         field_without_key(&S::width, "width", {.range = FILM_SIZE}),
         field_without_key(&S::height, "height", {.range = FILM_SIZE}),
         field("samples", &S::samples, "per pixel", {.range = {.low = 1, .high = 1u << 24}}),
+        field(
+            "noise", &S::noise,
+            "render until each pixel is, with 95 % probability, off by no more than this share of "
+            "white as it is shown, whatever `samples` says",
+            {.range = {.low = 1e-4f, .high = 1}}),
         field("depth", &S::depth, "the most surfaces that a path may visit",
               {.range = {.low = 1, .high = 1023}}),
         field("seed", &S::seed, "of the random numbers",

@@ -16,6 +16,9 @@ namespace {
 /// Samples of a render that is limited by its time alone.
 constexpr uint32_t ENDLESS = 1u << 20;
 
+/// The most samples of a pixel of a render that is limited by its noise alone.
+constexpr uint32_t MOST_FOR_NOISE = 1u << 16;
+
 /// Ray trees branch at every level.
 constexpr uint32_t WHITTED_DEPTH = 8;
 
@@ -49,7 +52,6 @@ void resolve_depth(const RenderChoices& choices, const RenderSettings& own,
 void resolve_film(const RenderChoices& choices, const RenderSettings& own,
                   ResolvedOptions& resolved) {
     RenderOptions& options = resolved.options;
-    options.aovs = choices.aovs;
     options.clamp = choices.clamp.value_or(0.0f);
     if (choices.clamp) options.aovs |= 1u << AOV_CLAMPED;
     options.background = choices.background.value_or(own.background.value_or(options.background));
@@ -77,9 +79,20 @@ void resolve_settings(const RenderChoices& choices, gpu::DeviceSettings& setting
 }
 
 uint32_t resolve_samples(const RenderChoices& choices, const RenderSettings& own,
-                         uint32_t by_default) {
+                         const RenderOptions& options) {
     if (choices.samples) return *choices.samples;
-    return choices.seconds ? ENDLESS : own.samples.value_or(by_default);
+    if (choices.seconds) return ENDLESS;
+    return options.noise > 0 ? MOST_FOR_NOISE : own.samples.value_or(options.samples);
+}
+
+/// What only the scene asks for gives way to an integrator that can't, and to parts of pictures.
+void resolve_noise(const RenderChoices& choices, const RenderSettings& own,
+                   RenderOptions& options) {
+    const bool can = options.integrator == IntegratorKind::path && !choices.sample_range;
+    options.noise = choices.noise.value_or(can ? own.noise.value_or(0.0f) : 0.0f);
+    if (options.noise == 0) return;
+    options.noise_exposure = choices.exposure.value_or(own.exposure.value_or(0.0f));
+    options.aovs |= 1u << AOV_HALVES;
 }
 
 /// Only whole blocks of samples add up to the picture that has them all.
@@ -88,6 +101,9 @@ void resolve_range(const RenderChoices& choices, RenderOptions& options) {
     const bool is_endless = choices.seconds && !choices.samples;
     options.picture_samples = is_endless ? 0 : options.samples;
     if (!choices.sample_range) return;
+    if (options.noise > 0)
+        throw InputError("--noise decides from all samples of a picture which ones follow; leave "
+                         "out --samples");
     const auto [first, end] = *choices.sample_range;
     if (first >= end || end > options.samples)
         throw InputError("--samples {}:{}: the picture has {} samples, 0 to {}; give the first and "
@@ -113,14 +129,16 @@ ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene
     options.width = choices.width.value_or(own.width.value_or(options.width));
     options.height = choices.height.value_or(own.height.value_or(options.height));
     options.seconds = choices.seconds.value_or(0);
-    options.samples = resolve_samples(choices, own, options.samples);
+    options.integrator = choices.integrator.value_or(own.integrator.value_or(options.integrator));
+    options.aovs = choices.aovs;
+    resolve_noise(choices, own, options);
+    options.samples = resolve_samples(choices, own, options);
     options.seed = choices.seed.value_or(own.seed.value_or(options.seed));
     options.filter = choices.filter.value_or(own.filter.value_or(options.filter));
     resolve_range(choices, options);
     options.camera = find_camera(choices.camera, scene);
     if (!scene.cameras.empty())
         check_screen(scene.cameras[options.camera], options.width, options.height);
-    options.integrator = choices.integrator.value_or(own.integrator.value_or(options.integrator));
     resolve_depth(choices, own, resolved);
     resolve_film(choices, own, resolved);
     options.engine = choices.engine.value_or(options.engine);

@@ -15,6 +15,7 @@ struct RenderChoices {
     std::optional<uint32_t> width, height; ///< pixels
     std::optional<uint32_t> samples, depth, seed;
     std::optional<double> seconds;
+    std::optional<float> noise, exposure; ///< of RenderOptions; a noise of 0 is none
     /// The first of the picture's samples to render, and the one behind the last.
     std::optional<std::pair<uint32_t, uint32_t>> sample_range;
     std::optional<Rectangle> rectangle; ///< the only pixels that are rendered

@@ -13,10 +13,7 @@ DeviceGroup::DeviceGroup(std::vector<std::unique_ptr<Session>> sessions,
                          std::function<void(const std::string&)> on_lost)
     : sessions_(std::move(sessions)), on_lost_(std::move(on_lost)), is_lost_(sessions_.size()) {
     const RenderOptions& options = session().options();
-    if (size() > 1 && !follows_pixels(options.integrator))
-        throw InputError("several devices share out samples of single pixels, by --integrator path "
-                         "or whitted; {} has none; name one device",
-                         word_of(options.integrator));
+    if (size() > 1) check_units(options, "several devices");
     if (size() > 1 && options.seconds > 0)
         throw InputError("a time limit is for one device; name one, or say how many samples");
 }

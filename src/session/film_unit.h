@@ -13,6 +13,9 @@ struct FilmUnit {
     uint64_t pixel_samples() const { return window.pixels() * (end - first); }
 };
 
+/// Throws InputError for a picture that can't be had in units. `who` are to share them out.
+void check_units(const RenderOptions& picture, const char* who);
+
 /// The session's film becomes an empty one of just the unit; what it renders next are the unit's
 /// samples. `picture` are the options of the whole.
 void begin_unit(Session& session, const RenderOptions& picture, const FilmUnit& unit);

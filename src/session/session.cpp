@@ -232,12 +232,30 @@ double Session::clamped_share() {
     return lost > 0 ? lost / (lost + light_of(film().develop())) : 0.0;
 }
 
+std::optional<NoiseReport> Session::noise() {
+    if (options_.render.noise <= 0) return std::nullopt;
+    return noise_report(film(), options_.render);
+}
+
+static std::string words_of(const NoiseReport& report, float target) {
+    if (report.most == 0) return "of fewer than 64 samples it is not known how noisy they are";
+    const std::string samples =
+        report.fewest == report.most
+            ? fmt::format("{:g} samples of every pixel", report.most)
+            : fmt::format("{:g} to {:g} samples of a pixel", report.fewest, report.most);
+    return fmt::format(
+        "{}: about {:.2g} % of the pixels are off by more than the {:g} that --noise "
+        "allows{}",
+        samples, 100 * report.share, target, report.is_met ? "" : ", and some need more samples");
+}
+
 std::vector<std::string> Session::findings() {
     prepare();
     std::vector<std::string> all = integrator_->findings();
     if (options_.render.clamp > 0)
         all.push_back(fmt::format("the clamp at {:g} has cut off {:.3g} % of the light",
                                   options_.render.clamp, 100 * clamped_share()));
+    if (const auto report = noise()) all.push_back(words_of(*report, options_.render.noise));
     return all;
 }
 

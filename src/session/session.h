@@ -6,6 +6,7 @@
 #include "film/film_file.h"
 #include "render/memory_plan.h"
 #include "render/render_loop.h"
+#include "render/sampled_pixels.h"
 #include "render/traversal_cost.h"
 #include "scene/scene.h"
 #include "session/inspect.h"
@@ -100,7 +101,9 @@ class Session {
     RayCounts ray_counts();
     /// The share of the film's light that options().clamp has cut off; 0 without.
     double clamped_share();
-    /// What the integrator has to say about the picture so far, a sentence each.
+    /// What is known of the noise, where options().noise asks for some.
+    std::optional<NoiseReport> noise();
+    /// What there is to say about the picture so far, a sentence each.
     std::vector<std::string> findings();
     /// By kernel, of all launches so far; empty unless the session is timed.
     std::map<std::string, gpu::KernelTime> kernel_times() { return profiler_.totals(); }

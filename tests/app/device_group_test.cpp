@@ -98,6 +98,7 @@ TEST_CASE("what several devices can't do is said in one sentence") {
     const Folder folder;
     check_refused(folder, picture("0/2", {"--time", "1"}), "--time is for one device");
     check_refused(folder, picture("0/2", {"--integrator", "light"}), "light has none");
+    check_refused(folder, picture("0/2", {"--noise", "0.1"}), "leave it out");
     check_refused(folder, picture("0,0"), "names device 0 twice");
     check_refused(folder, picture("0/9"), "use at most 8");
     check_refused(folder, picture("0,abacus"), "no OpenCL device matches 'abacus'", EIGHT_UNITS, 3);

@@ -153,6 +153,46 @@ TEST_CASE("renders that are killed at any time go on from their checkpoints to t
     CHECK(folder.files().size() == 2); // what was left unfinished is gone
 }
 
+TEST_CASE("a render that its noise ends goes on from its film, and is joined with nothing") {
+    const Folder folder;
+    const auto noisy = [&](const Arguments& more) {
+        Arguments all{"--noise", "0.1"};
+        if (std::ranges::find(more, "--spp") == more.end())
+            all.insert(all.end(), {"--spp", "4096"});
+        all.insert(all.end(), more.begin(), more.end());
+        return render(CORNELL, all);
+    };
+    const Outcome outcome = onde::test::onde(
+        folder, noisy({"--film", "whole.exr", "-o", "whole.png", "--json", "whole.json"}));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK_THAT(outcome.err, Catch::Contains("% of the pixels are off by more than the 0.1"));
+    const auto json = nlohmann::json::parse(content(folder / "whole.json"));
+    CHECK(json.at("noise_is_met") == true);
+    CHECK(json.at("fewest_samples") == 64);
+    CHECK(json.at("most_samples") > json.at("samples"));
+    CHECK(json.at("samples") > 64);
+
+    run(folder, noisy({"--film", "a.exr", "--spp", "100"}));
+    run(folder, noisy({"--resume", "a.exr", "-o", "a.png"}));
+    CHECK(same_bytes(folder, "a.png", "whole.png"));
+    CHECK_THAT(output_of(folder, {"film", "whole.exr"}),
+               Catch::Contains("as far as they needed them") && !Catch::Contains("lacks"));
+    run(folder, {"merge", "whole.exr", "-o", "again.png"});
+    CHECK(onde::read_image(folder / "again.png").pixels ==
+          onde::read_image(folder / "whole.png").pixels);
+
+    check_refused(folder, render(CORNELL, {"--noise", "0.2", "--resume", "a.exr"}),
+                  "another noise");
+    check_refused(folder, noisy({"--resume", "a.exr", "--exposure", "1"}), "exposure of noise");
+    check_refused(folder, {"merge", "a.exr", "whole.exr", "-o", "b.exr"},
+                  "such films can't be joined with others");
+    check_refused(folder, noisy({"--samples", "0:64", "--film", "b.exr"}), "leave out --samples");
+    check_refused(folder, noisy({"--integrator", "light"}), "--noise is for --integrator path");
+    check_refused(folder, render(CORNELL, {"--noise", "2"}), "use 0.0001 to 1");
+    check_refused(folder, render(CORNELL, {"--noise", "nan"}), "--noise nan is no share of white");
+}
+
 TEST_CASE("each picture of a turntable has its film, and only what is missing is rendered again") {
     const Folder folder;
     const Arguments turn{"--turntable", "3", "--film", "t-#.exr", "-o", "t-#.png", "--spp", "65"};

@@ -33,6 +33,8 @@ inline FilmHeader made_header(uint32_t samples) {
                        Background::environment,
                        1u << AOV_ALBEDO | 1u << AOV_DEPTH,
                        0.0f,
+                       0.0f,
+                       0.0f,
                        false};
     header.maker = {"0.1.0", "fedcba9876543210", "a platform, CPU, driver 1"};
     header.device = "a device";

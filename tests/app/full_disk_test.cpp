@@ -113,6 +113,43 @@ TEST_CASE("checkpoints on a full disk leave the old film whole, and the render g
     CHECK(disk.files() != before);
 }
 
+TEST_CASE("workers and merges on a full disk end in a sentence, and go on when there is room") {
+    const Folder folder;
+    const SmallDisk disk(folder);
+    if (!disk.mounted()) return;
+    const auto picture = [](const Arguments& first, const Arguments& more) {
+        Arguments all = first;
+        all.insert(all.end(), {CORNELL, "--lanes", "8", "--size", "24x16", "--spp", "256"});
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    const Arguments worker = picture({"work", "small/store"}, {});
+    CHECK(onde::test::onde(folder, picture({"render"}, {"--film", "whole.exr"})).code == 0);
+    for (const size_t pages : {0, 1, 4}) { // with room for leases, and for a unit
+        disk.fill_but(pages);
+        const Outcome outcome = onde::test::onde(folder, worker);
+        INFO(pages << " pages: " << outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Catch::Contains("No space left on device"));
+        for (const auto& [name, bytes] : disk.files())
+            if (name.ends_with(".exr")) CHECK(bytes.size() > 4096); // a whole unit
+        fs::remove(folder / "small/filler");
+    }
+    CHECK(onde::test::onde(folder, worker).code == 0);
+    CHECK(content(folder / "small/store/film.exr") == content(folder / "whole.exr"));
+
+    fs::remove_all(folder / "small/store");
+    disk.fill_but(1);
+    const auto before = disk.files();
+    const Outcome merge = onde::test::onde(
+        folder, {"merge", "whole.exr", "-o", "small/film.exr", "--picture", "picture.png"});
+    INFO(merge.err);
+    CHECK(merge.code == 2);
+    CHECK_THAT(merge.err, Catch::Contains("film.exr: cannot be written (No space left on device)"));
+    CHECK(disk.files() == before);
+    CHECK(onde::read_image(folder / "picture.png").width == 24);
+}
+
 TEST_CASE("thumbnails and turntables on a full disk leave no half file") {
     const Folder folder;
     const SmallDisk disk(folder);

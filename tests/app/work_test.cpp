@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <atomic>
+#include <memory>
 #include <random>
 
 using namespace onde::test;
@@ -46,6 +48,69 @@ TEST_CASE("workers that share a folder make the film and the picture of one rend
         CHECK(status.at("left") == 0);
         CHECK(status.at("units") == (cut.front() == "--unit" ? 3 : 20));
     }
+}
+
+TEST_CASE("one, two, three and eight workers make the same bytes") {
+    const Folder folder;
+    check_ends_well(onde::test::onde(folder, picture({"render"}, {"--film", "whole.exr"})));
+    for (const int count : {1, 2, 3, 8}) {
+        const std::string store = "store" + std::to_string(count);
+        const Arguments worker = picture({"work", store}, {"--tiles", "2x1"});
+        std::vector<std::unique_ptr<Process>> workers;
+        for (int i = 0; i < count; i++)
+            workers.push_back(std::make_unique<Process>(folder, worker));
+        for (const auto& each : workers) check_ends_well(each->wait());
+        CHECK(content(folder / (store + "/film.exr")) == content(folder / "whole.exr"));
+    }
+}
+
+TEST_CASE("leases whose times lie far back or ahead are given up") {
+    const Folder folder;
+    check_ends_well(onde::test::onde(folder, picture({"render"}, {"--film", "whole.exr"})));
+    const Arguments worker = picture({"work", "store"}, {"--lease", "60"});
+    for (const int years : {-20, 20}) { // the clock stood there when they were taken
+        fs::remove_all(folder / "store");
+        fs::create_directories(folder / "store/leases");
+        for (const char* name : {"t0000-l00-i000000", "t0000-l00-i000003", "film"}) {
+            folder.write(std::string("store/leases/") + name, "");
+            fs::last_write_time(folder / "store/leases" / name,
+                                fs::file_time_type::clock::now() +
+                                    std::chrono::hours(24 * 365 * years));
+        }
+        check_ends_well(onde::test::onde(folder, worker));
+        CHECK(content(folder / "store/film.exr") == content(folder / "whole.exr"));
+    }
+}
+
+TEST_CASE("a clock that jumps by years in mid-job changes no byte of workers and checkpoints") {
+    const char* library = "/usr/lib/x86_64-linux-gnu/faketime/libfaketimeMT.so.1";
+    if (!fs::exists(library)) return;
+    const Folder folder;
+    check_ends_well(onde::test::onde(folder, picture({"render"}, {"--film", "whole.exr"})));
+    folder.write("clock", "+0d");
+    const Environment jumping{{"LD_PRELOAD", library},
+                              {"FAKETIME_TIMESTAMP_FILE", folder / "clock"},
+                              {"FAKETIME_NO_CACHE", "1"},
+                              {"FAKETIME_DONT_FAKE_MONOTONIC", "1"}};
+    std::atomic<bool> goes_on{true};
+    std::thread clock([&] {
+        for (int i = 0; goes_on; i++) {
+            folder.write("next", i % 2 == 0 ? "-9y" : "+9y");
+            fs::rename(folder / "next", folder / "clock");
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        }
+    });
+    const Arguments worker = picture({"work", "store"}, {"--tiles", "3x2"});
+    Process one(folder, worker, jumping), two(folder, worker, jumping);
+    const Outcome render = onde::test::onde(
+        folder, picture({"render"}, {"--film", "film.exr", "--checkpoint", "0.05"}), jumping);
+    check_ends_well(one.wait());
+    check_ends_well(two.wait());
+    goes_on = false;
+    clock.join();
+    check_ends_well(render);
+    CHECK(content(folder / "store/film.exr") == content(folder / "whole.exr"));
+    CHECK(content(folder / "film.exr") == content(folder / "whole.exr"));
 }
 
 TEST_CASE("a worker that is killed costs its lease, and the film has the same bytes") {

@@ -1,8 +1,10 @@
 #include "core/command_line.h"
 
 #include "core/error.h"
+#include "core/nearest.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -18,18 +20,78 @@ std::string command_name(const CLI::App& app) {
     return app.get_name() + (chosen.empty() ? "" : " " + command_name(*chosen.back()));
 }
 
+/// The last command that was recognised.
+const CLI::App& chosen_command(const CLI::App& app) {
+    const auto chosen = app.get_subcommands();
+    return chosen.empty() ? app : chosen_command(*chosen.back());
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    return names;
+}
+
+std::string did_you_mean_one_of(std::string_view text, const std::vector<std::string>& names) {
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    return did_you_mean(text, views);
+}
+
+/// Of a word that no command takes.
+std::string unknown_word(const CLI::App& app, const std::string& word) {
+    const CLI::App& command = chosen_command(app);
+    const bool is_option = word.starts_with("-");
+    const std::string name = word.substr(0, word.find('='));
+    if (is_option)
+        return fmt::format("{}: no such option{}", name,
+                           did_you_mean_one_of(name, option_names(command)));
+    const std::vector<std::string> commands = command_names(command);
+    if (commands.empty())
+        return fmt::format("{}: one word more than {} takes", word, command_name(app));
+    return fmt::format("{}: no such command{}", word, did_you_mean_one_of(word, commands));
+}
+
+/// "--spp: 1 required N missing", "--spp: At Most 1 required but received 2".
+std::string wrong_count(const std::string& text) {
+    const std::string option = text.substr(0, text.find(": "));
+    if (text.ends_with(" missing")) return option + " needs a value behind it";
+    if (text.find("At Most 1 ") != std::string::npos)
+        return option + " is given twice; give it once";
+    return text;
+}
+
 std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
     // CLI11 finds a missing command before it finds the word that was meant to be one.
     const bool incomplete = dynamic_cast<const CLI::RequiredError*>(&error) ||
                             dynamic_cast<const CLI::ExtrasError*>(&error);
     const std::vector<std::string> unknown = app.remaining(true);
-    if (incomplete && !unknown.empty())
-        return fmt::format("{}: no such option or command", unknown.front());
+    if (incomplete && !unknown.empty()) return unknown_word(app, unknown.front());
+    const std::vector<std::string> commands = command_names(chosen_command(app));
+    if (dynamic_cast<const CLI::RequiredError*>(&error) && !commands.empty())
+        return fmt::format("a command is missing; use one of {}", fmt::join(commands, ", "));
     constexpr std::string_view CONVERSION = "Could not convert: "; // "--spp = x" follows
     const std::string text = error.what();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return wrong_count(text);
     if (text.starts_with(CONVERSION))
         return text.substr(CONVERSION.size()) + ": not a value that this option takes";
     return text;
+}
+
+/// Refuses all other words.
+CLI::Validator one_of(const std::vector<std::string>& words) {
+    const auto refuse = [words](const std::string& text) {
+        if (std::ranges::find(words, text) != words.end()) return std::string();
+        return fmt::format("{} is none of {}{}", text, fmt::join(words, ", "),
+                           did_you_mean_one_of(text, words));
+    };
+    return CLI::Validator(refuse, fmt::format("{{{}}}", fmt::join(words, ",")));
 }
 
 /// Refuses numbers outside; what is no number is left to the conversion.
@@ -90,7 +152,7 @@ void apply(const OptionRules& rules, CLI::Option& option) {
     if (rules.delimiter) option.delimiter(rules.delimiter)->allow_extra_args(false);
     if (std::isfinite(rules.least) || std::isfinite(rules.most))
         option.check(range(rules.least, rules.most));
-    if (!rules.words.empty()) option.check(CLI::IsMember(rules.words));
+    if (!rules.words.empty()) option.check(one_of(rules.words));
 }
 
 } // namespace
@@ -143,8 +205,11 @@ bool CommandLine::run(int argc, char** argv) try {
     app_->parse(std::move(words));
     return true;
 } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0)
-        throw InputError("{}; see {} --help", complaint(*app_, error), command_name(*app_));
+    if (error.get_exit_code() != 0) {
+        const std::string sentence = complaint(*app_, error);
+        throw InputError("{}{} {} --help", sentence, sentence.ends_with('?') ? " See" : "; see",
+                         command_name(*app_));
+    }
     app_->exit(error); // prints what was asked for
     return false;
 }

@@ -192,15 +192,15 @@ TEST_CASE("an option with a value that makes no sense is refused by its name") {
         {{"--environment-rotation", "nan"}, "--environment-rotation nan"},
         {{"--chunk", "48"}, "chunk 48 is not a power of two"},
         {{"--camera", "left"}, "--camera left: no such camera; the scene has 0"},
-        {{"--engine", "steam"}, "--engine: steam not in"},
-        {{"--bvh", "octree"}, "--bvh: octree not in"},
+        {{"--engine", "steam"}, "--engine: steam is none of wavefront"},
+        {{"--bvh", "octree"}, "--bvh: octree is none of sah"},
         {{"--aov", "depth,alpha,depth"}, "--aov names depth twice"},
-        {{"--aov", "depths"}, "--aov: depths not in"},
+        {{"--aov", "depths"}, "--aov: depths is none of traversal-cost"},
         {{"--environment", "missing.hdr"}, "missing.hdr: no such file"},
         {{"--environment", "zeros.hdr"}, "zeros.hdr"},
         {{"--kernels", "missing"}, "missing: no such folder"},
         {{"--frob"}, "--frob: no such option"},
-        {{"second.toml"}, "second.toml: no such option or command; see onde render --help"},
+        {{"second.toml"}, "second.toml: one word more than onde render takes; see onde render --help"},
         {{"--depth"}, "--depth = -o: not a value"},
         {{"--wave-size", "0"}, "wave size 0 is out of range"},
         {{"--wave-size", "4294967295"}, "wave size 4294967295 is out of range"},
@@ -213,12 +213,12 @@ TEST_CASE("a command line without sense is refused with the help that has it") {
     Folder folder;
     furnish(folder);
     check_refused(folder, {}, "see onde --help");
-    check_refused(folder, {"frobnicate"}, "frobnicate: no such option or command; see onde --help");
-    check_refused(folder, {"--frob"}, "--frob: no such option or command");
+    check_refused(folder, {"frobnicate"}, "frobnicate: no such command; see onde --help");
+    check_refused(folder, {"--frob"}, "--frob: no such option");
     check_refused(folder, {"render"}, "scene is required; see onde render --help");
-    check_refused(folder, {"render", CORNELL, "--depth"}, "--depth: 1 required N missing");
+    check_refused(folder, {"render", CORNELL, "--depth"}, "--depth needs a value behind it");
     check_refused(folder, {"cache"}, "see onde cache --help");
-    check_refused(folder, {"cache", "shrink"}, "shrink: no such option or command");
+    check_refused(folder, {"cache", "shrink"}, "shrink: no such command");
     check_refused(folder, {"cache", "prewarm", "missing.toml"}, "missing.toml");
     check_refused(folder, {"info", "missing.toml"}, "missing.toml: no such file");
     check_refused(folder, {"info", "nan.gltf"}, "nan.gltf");

@@ -86,10 +86,16 @@ TEST_CASE("a command runs once, with every option where it belongs") {
 
 TEST_CASE("what is wrong with a command line is said in one sentence that names it") {
     const std::pair<std::vector<std::string>, const char*> wrong[] = {
-        {{}, "subcommand"},
-        {{"pain"}, "pain: no such option or command; see program --help"},
+        {{}, "a command is missing; use one of paint; see program --help"},
+        {{"pain"}, "pain: no such command; did you mean paint? See program --help"},
+        {{"sing"}, "sing: no such command; see program --help"},
         {{"paint"}, "file is required; see program paint --help"},
-        {{"paint", "a", "--cuont", "3"}, "--cuont: no such option or command"},
+        {{"paint", "a", "--cuont", "3"}, "--cuont: no such option; did you mean --count?"},
+        {{"paint", "a", "--colou=red"}, "--colou: no such option; did you mean --colour?"},
+        {{"paint", "a", "--zigzag"}, "--zigzag: no such option; see program paint --help"},
+        {{"paint", "a", "b"}, "b: one word more than program paint takes"},
+        {{"paint", "a", "--count"}, "--count needs a value behind it; see"},
+        {{"paint", "a", "--count", "1", "--count", "2"}, "--count is given twice; give it once"},
         {{"paint", "a", "--count", "x"}, "--count = x: not a value that this option takes"},
         {{"paint", "a", "--count", "10"}, "--count: 10 is out of range; use 1 to 9"},
         {{"paint", "a", "--count", "nan"}, "--count: nan is out of range"},
@@ -98,7 +104,9 @@ TEST_CASE("what is wrong with a command line is said in one sentence that names 
         {{"paint", "a", "--seed=-1"}, "--seed: -1 is out of range"},
         {{"paint", "a", "--area", "1e39"}, "--area: 1e39 is out of range; use -3.4028235e+38 to"},
         {{"paint", "a", "--area", "1e999"}, "--area: 1e999 is out of range"},
-        {{"paint", "a", "--colour", "green"}, "green"}};
+        {{"paint", "a", "--colour", "bleu"},
+         "--colour: bleu is none of red, blue; did you mean blue?"},
+        {{"paint", "a", "--colour", "green"}, "--colour: green is none of red, blue; see"}};
     for (const auto& [words, part] : wrong) {
         Program program;
         INFO(part);

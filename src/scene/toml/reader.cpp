@@ -1,11 +1,11 @@
 #include "scene/toml/reader.h"
 
 #include "core/error.h"
+#include "core/nearest.h"
 #include "core/shown.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace onde {
 
@@ -27,28 +27,6 @@ void TableReader::fail(std::string_view key, const std::string& problem) const {
     throw InputError("{} {}", where(key), shown(problem, 1000));
 }
 
-/// Levenshtein's distance: the fewest insertions, removals and replacements from a to b.
-static size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), size_t(0));
-    for (size_t i = 0; i < a.size(); ++i) {
-        size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (size_t j = 0; j < b.size(); ++j) {
-            const size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
-
-static std::string nearest(std::string_view text, std::span<const std::string_view> names) {
-    return std::string(*std::min_element(names.begin(), names.end(), [&](auto a, auto b) {
-        return edit_distance(text, a) < edit_distance(text, b);
-    }));
-}
-
 static std::string joined(std::span<const std::string_view> names) {
     std::string list;
     for (std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
@@ -65,7 +43,7 @@ void TableReader::allow(std::span<const std::string_view> keys) const {
     for (const auto& [key, node] : *table_) {
         if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
         fail(key.str(), fmt::format("is not a key here; did you mean '{}'? Allowed: {}",
-                                    nearest(key.str().substr(0, 64), keys), joined(keys)));
+                                    nearest(key.str(), keys), joined(keys)));
     }
 }
 
@@ -169,7 +147,7 @@ std::optional<glm::vec3> TableReader::color(std::string_view key, Range range) c
 void TableReader::fail_choice(std::string_view key, const std::string& word,
                               std::span<const std::string_view> words) const {
     fail(key, fmt::format("can't be '{}'; did you mean '{}'? Allowed: {}", shown(word),
-                          nearest(std::string_view(word).substr(0, 64), words), joined(words)));
+                          nearest(word, words), joined(words)));
 }
 
 static const toml::array* array_of(const toml::table& table, std::string_view key) {

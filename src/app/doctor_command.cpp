@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/timer.h"
 #include "doctor/check.h"
+#include "session/picture_denoiser.h"
 
 #include <fmt/format.h>
 
@@ -91,11 +92,9 @@ Json report_json(const Machine& machine, const std::vector<Answer>& answers, dou
     Json device = device_json(machine.device.facts());
     device["platform"] = machine.device.facts().platform;
     device["platform_version"] = machine.device.facts().platform_version;
-    return {{"version", ONDE_VERSION},
-            {"device", device},
-            {"checks", checks},
-            {"passed", !first_failure(answers)},
-            {"seconds", seconds}};
+    return {{"version", ONDE_VERSION},           {"device", device},
+            {"denoiser", found_denoiser()},      {"checks", checks},
+            {"passed", !first_failure(answers)}, {"seconds", seconds}};
 }
 
 void print_sum(const std::vector<Answer>& answers, double seconds) {
@@ -135,6 +134,7 @@ void run_doctor(const DoctorRequest& request, bool& unfit, bool& interrupted) {
     const gpu::DeviceFacts& facts = machine.device.facts();
     if (!request.json) {
         fmt::print("{} ({})\n  {}\n", facts.platform, facts.platform_version, device_text(facts));
+        fmt::print("--denoise: {}\n", printable(found_denoiser()));
         std::fflush(stdout);
     }
     const std::vector<Answer> answers = make_checks(machine, request, interrupt);

@@ -18,6 +18,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/stack.h"
 #include "core/text.h"
 
 #include <csignal>
@@ -33,9 +34,7 @@ int fail(ExitCode code, const char* sentence) {
     return code;
 }
 
-} // namespace
-
-int main(int argc, char** argv) try {
+int run(int argc, char** argv) try {
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error where it is written
     onde::set_up_logging(false);
     onde::CommandLine line("onde",
@@ -73,4 +72,12 @@ int main(int argc, char** argv) try {
     return fail(WRONG_INPUT, "out of memory; use a smaller scene or picture");
 } catch (const std::exception& error) {
     return fail(WRONG_INPUT, error.what());
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    int code = SUCCESS;
+    onde::with_enough_stack([&] { code = run(argc, argv); });
+    return code;
 }

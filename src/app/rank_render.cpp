@@ -38,10 +38,10 @@ void check_mpi_request(const RenderRequest& r) {
     if (is_sequence(r))
         throw InputError("--mpi is of one picture; give each frame a job of its own");
     if (!r.resume.empty() || r.checkpoint || !r.sample_range.empty() || !r.rectangle.empty() ||
-        r.choices.seconds || r.stats || !r.json.empty())
+        r.choices.seconds || r.choices.noise.value_or(0) > 0 || r.stats || !r.json.empty())
         throw InputError("ranks share out samples and pixels by themselves, and go on from their "
                          "parts; leave out --resume, --checkpoint, --samples, --rectangle, --time, "
-                         "--stats and --json");
+                         "--noise, --stats and --json");
     for (const fs::path& output : r.outputs)
         if (is_standard_output(output))
             throw InputError("the output of ranks can't go to standard output, which mpirun joins; "

@@ -121,6 +121,7 @@ bool run_as_rank(RenderRequest request) {
     const std::unique_ptr<Ranks> ranks = join_mpi_job();
     const bool writes = ranks->rank() == 0;
     request.parts = parts_folder(request);
+    request.choices.noise = 0; // the scene's is left out
     const std::vector<Shot> shots =
         writes ? resolve_shots(request) : std::vector<Shot>(1); // others write parts only
     const Machines machines = open_machine_of_rank(request, *ranks);

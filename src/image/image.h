@@ -36,6 +36,7 @@ struct ByteImage {
     std::vector<uint8_t> rgba;
     std::vector<uint8_t> low{};
     bool from_floats = false; ///< which are linear, colours too
+    uint64_t cut = 0; ///< pixels of floats that had a negative, infinite or meaningless sample
 
     /// A sample of 16 bits.
     uint32_t wide(size_t at) const { return rgba[at] * 256u + (low.empty() ? rgba[at] : low[at]); }

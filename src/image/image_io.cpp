@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 
 namespace onde {
 namespace {
@@ -74,6 +76,13 @@ float alpha_as_float(T value) {
     return float(value) / float(std::numeric_limits<T>::max());
 }
 
+bool is_cut(uint16_t) {
+    return false;
+}
+bool is_cut(float value) {
+    return !(value >= 0 && std::isfinite(value));
+}
+
 uint16_t as_16_bits(uint16_t value) {
     return value;
 }
@@ -102,13 +111,15 @@ ByteImage rgba_image(const StoredImage& stored, const std::vector<T>& samples) {
     image.rgba.reserve(samples.size() / stored.channels * 4);
     const bool wide = std::ranges::any_of(samples, [](T s) { return as_16_bits(s) % 257 != 0; });
     if (wide) image.low.reserve(image.rgba.capacity());
-    for (size_t at = 0; at < samples.size(); at += stored.channels)
+    for (size_t at = 0; at < samples.size(); at += stored.channels) {
+        const std::span pixel = std::span(samples).subspan(at, stored.channels);
+        image.cut += std::ranges::any_of(pixel, [](T s) { return is_cut(s); });
         for (const int channel : map) {
-            const auto value =
-                channel < 0 ? uint16_t(65535) : as_16_bits(samples[at + size_t(channel)]);
+            const auto value = channel < 0 ? uint16_t(65535) : as_16_bits(pixel[size_t(channel)]);
             image.rgba.push_back(uint8_t(value >> 8));
             if (wide) image.low.push_back(uint8_t(value));
         }
+    }
     return image;
 }
 

@@ -85,6 +85,9 @@ void complete_scene(Scene& scene, const LoadOptions& options, bool is_model) {
     complete_light(scene, options, is_model);
     if (options.ground == GroundPlane::off) scene.environment.ground.reset();
     if (stage.ground) scene.environment.ground = stage.ground;
+    if (stage.ground && options.ground == GroundPlane::automatic)
+        scene.notes.push_back("A ground was added under the model that shows only its shadow and "
+                              "reflection (--ground off).");
 }
 
 } // namespace onde

@@ -114,6 +114,11 @@ int32_t add_texture_file(Scene& scene, LoadContext& context, const fs::path& fol
     const std::string bytes = read_file_within(context, path);
     ByteImage image = decode_within(
         context, {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, path.string());
+    if (image.cut > 0)
+        scene.notes.push_back(fmt::format(
+            "{} pixels of the texture {} are negative, infinite or no numbers; they count as 0, or "
+            "as 1 where they are infinite.",
+            image.cut, printable(path.filename().string())));
     return add_texture(textures, path.string(), std::move(image), use);
 }
 

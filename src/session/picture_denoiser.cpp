@@ -67,6 +67,16 @@ void check_denoisable(IntegratorKind integrator) {
                          word_of(integrator));
 }
 
+std::string found_denoiser() {
+    try {
+        if (const auto library = library_of({}))
+            return fmt::format("{}, {}", OpenImageDenoise(*library).name(), library->string());
+        return "our own, as no Open Image Denoise is found (Python's package pyoidn has it)";
+    } catch (const InputError& error) {
+        return fmt::format("our own, as {}", error.what());
+    }
+}
+
 PictureDenoiser::PictureDenoiser(gpu::Programs& programs, const DenoiserOptions& options,
                                  uint32_t picture_width,
                                  const std::function<void(std::string)>& note)

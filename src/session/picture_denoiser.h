@@ -51,6 +51,10 @@ uint32_t denoiser_aovs();
 /// Throws InputError for an integrator that has no such AOVs.
 void check_denoisable(IntegratorKind integrator);
 
+/// What --denoise takes here, in one line: the library's name and place, or our own denoiser and
+/// why.
+std::string found_denoiser();
+
 class PictureDenoiser {
   public:
     /// The options' denoiser is not off. Throws InputError where Open Image Denoise is asked for

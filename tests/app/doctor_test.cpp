@@ -32,6 +32,12 @@ TEST_CASE("doctor prints a line for each check, from the ground up, and says so 
     const json report =
         json::parse(output_of(folder, {"doctor", "--quick", "--check", "layout,rate", "--json"}));
     CHECK(report.at("passed") == true);
+    CHECK_THAT(text, Catch::Contains("\n--denoise: "));
+    CHECK(text.find(report.at("denoiser").get<std::string>()) != std::string::npos);
+    const Outcome none = onde::test::onde(folder, {"doctor", "--quick", "--check", "layout"},
+                                          {{"ONDE_DENOISER_LIBRARY", "/none"}});
+    CHECK(none.code == 0);
+    CHECK_THAT(none.out, Catch::Contains("--denoise: our own, as ") && Catch::Contains("/none"));
     CHECK(report.at("device").at("units") > 0);
     REQUIRE(report.at("checks").size() == 2);
     CHECK(report.at("checks")[0].at("name") == "layout");

@@ -137,8 +137,11 @@ TEST_CASE("a model without a camera stands on a ground just below it") {
     CHECK(*framed.environment.ground > lowest - 0.01f);
     CHECK_FALSE(own_camera.environment.ground);
     CHECK_FALSE(toml.environment.ground);
+    CHECK_THAT(framed.notes.back(), Catch::Contains("A ground was added"));
+    const size_t notes = own_camera.notes.size();
     complete_scene(own_camera, {.ground = GroundPlane::on}, true);
     CHECK(own_camera.environment.ground == framed.environment.ground);
+    CHECK(own_camera.notes.size() == notes); // it was asked for
     framed.cameras.clear();
     complete_scene(framed, {.ground = GroundPlane::off}, true);
     CHECK_FALSE(framed.environment.ground);

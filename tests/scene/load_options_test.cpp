@@ -2,6 +2,9 @@
 #include "scene/load_context.h"
 #include "scratch.h"
 
+#include <algorithm>
+#include <limits>
+
 using namespace onde;
 using onde::test::ScratchFolder;
 
@@ -102,6 +105,31 @@ TEST_CASE("textures of TOML materials that nothing in the scene has are not read
     const auto wrong = folder.write("c.toml", "[[material]]\nname = \"a\"\nbase_color_texture = 1\n"
                                               "[[shape]]\ntype = \"sphere\"\n");
     CHECK_THAT(error_with({}, wrong), Catch::Contains("base_color_texture must be a text"));
+}
+
+TEST_CASE("pixels of a texture that are negative, infinite or no numbers are counted in a note") {
+    ScratchFolder folder;
+    constexpr float INF = std::numeric_limits<float>::infinity();
+    constexpr float NAN_ = std::numeric_limits<float>::quiet_NaN();
+    folder.write("odd.pfm",
+                 "PF\n5 1\n-1\n" + test::bytes_of({0.5f, -0.5f, -1.0f, INF, 0.0f, 0.0f, NAN_, 0.0f,
+                                                   0.0f, 0.5f, 9.0f, 0.0f, -0.0f, 0.0f, 1.0f}));
+    const Scene scene = load_scene(folder.write("a.toml", R"(
+[[material]]
+name = "m"
+base_color_texture = "odd.pfm"
+[[shape]]
+type = "sphere"
+material = "m"
+)"));
+    const auto told = std::ranges::count_if(scene.notes, [](const std::string& note) {
+        return note.starts_with("3 pixels of the texture odd.pfm are negative, infinite");
+    });
+    CHECK(told == 1);
+    const ByteImage& image = scene.textures[0].image;
+    CHECK(image.wide(1) == 0);     // -0.5
+    CHECK(image.wide(4) == 65535); // infinite
+    CHECK(image.wide(8) == 0);     // no number
 }
 
 TEST_CASE("floats of a texture are linear, as colours and as data") {

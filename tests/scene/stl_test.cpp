@@ -73,7 +73,7 @@ TEST_CASE("STL of either kind is flat triangles of grey whose equal corners shar
         CHECK(mesh.triangles == std::vector{glm::uvec3(0, 1, 2), glm::uvec3(1, 3, 2)});
         CHECK(mesh.normals.empty());
         CHECK(scene.materials.at(mesh.materials[1]).base_color == glm::vec3(0.8f));
-        CHECK(scene.notes.size() == 2); // of the added camera and studio
+        CHECK(scene.notes.size() == 3); // of the added camera, studio and ground
     }
 }
 

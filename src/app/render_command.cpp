@@ -28,8 +28,10 @@ void tell_findings(const DeviceGroup& devices, const RenderOutcome& outcome) {
                      "pixel {},{}; please report the scene",
                      invalid.count, invalid.sample, invalid.x, invalid.y);
     for (const std::string& finding : devices.session().findings()) spdlog::info("{}", finding);
+    // Several devices keep whole blocks.
+    const char* least = devices.size() > 1 ? "64 samples of all pixels" : "sample";
     if (outcome.samples == 0)
-        spdlog::warn("interrupted before the first sample; no picture was written");
+        spdlog::warn("interrupted before the first {}; no picture was written", least);
     else if (outcome.interrupted)
         spdlog::warn("interrupted after {:.3g} samples per pixel; saving the picture so far",
                      outcome.samples);

@@ -312,9 +312,9 @@ static std::optional<gpu::ProgramCache> requested_cache(const MachineRequest& re
 
 Machine open_machine(const MachineRequest& request, gpu::Profiling profiling) {
     if (gpu::names_several(request.device))
-        throw InputError("--device {} names several devices, by which only onde render makes a "
-                         "picture; name one",
-                         request.device);
+        throw InputError("{} names several devices, by which only onde render makes a picture; "
+                         "name one with --device",
+                         request.device.empty() ? "ONDE_DEVICE" : "--device " + request.device);
     return Machine(request.device, gpu::KernelSources::from(request.kernels),
                    requested_cache(request), profiling);
 }

@@ -103,7 +103,10 @@ TEST_CASE("what several devices can't do is said in one sentence") {
     check_refused(folder, picture("0/9"), "use at most 8");
     check_refused(folder, picture("0,abacus"), "no OpenCL device matches 'abacus'", EIGHT_UNITS, 3);
     check_refused(folder, {"work", "store", CORNELL, "--device", "0/2"},
-                  "names several devices, by which only onde render");
+                  "--device 0/2 names several devices, by which only onde render");
+    Environment by_variable = EIGHT_UNITS;
+    by_variable["ONDE_DEVICE"] = "0/2";
+    check_refused(folder, {"work", "store", CORNELL}, "ONDE_DEVICE names several", by_variable);
 }
 
 TEST_CASE("devices of several classes are refused, or mixed where that is asked for") {

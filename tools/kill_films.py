@@ -17,6 +17,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PICTURE = [str(ROOT / "scenes/cornell.toml"), "--size", "96x72", "--spp", "700", "--quiet"]
+NOISE = ["--noise", "0.04"]
 
 
 class Trial:
@@ -51,14 +52,20 @@ class Trial:
             self.faults.append(f"{name} has other bytes")
 
 
-def kill_renders(trial, whole, kills):
-    job = ["render", *PICTURE, "--film", "a.exr", "--resume", "a.exr", "--checkpoint", "0.05", "--wave-size", "4096"]
+def kill_renders(trial, whole, kills, more=()):
+    job = ["render", *PICTURE, *more, "--film", "a.exr", "--resume", "a.exr", "--checkpoint", "0.05", "--wave-size", "4096"]
     for _ in range(kills):
         if not trial.kill_once(job, 2.5):  # it had come to its end
             trial.compare("a.exr", whole)
             (trial.folder / "a.exr").unlink()
     trial.run(job)
     trial.compare("a.exr", whole)
+
+
+def kill_noisy_renders(trial, _, kills):
+    if not (trial.folder / "noisy.exr").exists():
+        trial.run(["render", *PICTURE, *NOISE, "--film", "noisy.exr"])
+    kill_renders(trial, (trial.folder / "noisy.exr").read_bytes(), kills, NOISE)
 
 
 def kill_workers(trial, whole, kills):
@@ -90,7 +97,7 @@ def main():
     options = parser.parse_args()
     faults = []
     kills = 0
-    for what, share in ((kill_renders, 0.5), (kill_workers, 0.25), (kill_merges, 0.25)):
+    for what, share in ((kill_renders, 0.3), (kill_noisy_renders, 0.2), (kill_workers, 0.25), (kill_merges, 0.25)):
         with tempfile.TemporaryDirectory(prefix="onde-kills-") as name:
             trial = Trial(options.onde, Path(name), random.Random(options.seed))
             trial.run(["render", *PICTURE, "--film", "whole.exr"])

@@ -1,18 +1,29 @@
 #include "app/film_keeper.h"
 
 #include "core/error.h"
+#include "core/files.h"
 #include "core/log.h"
 
 namespace onde::app {
 
-FilmKeeper::FilmKeeper(DeviceGroup& devices, const Shot& shot, std::optional<double> seconds)
-    : devices_(devices), shot_(shot), seconds_(seconds) {
+void check_film(const DeviceGroup& devices, const Shot& shot) {
     if (shot.film.empty()) return;
     const RenderOptions& options = devices.session().options();
     if (!follows_pixels(options.integrator))
         throw InputError("--film is for --integrator path and whitted, whose samples are each of "
                          "one pixel; {} has none to go on with",
                          word_of(options.integrator));
+    if (shot.resume.empty()) return;
+    FilmReader film(shot.resume);
+    check_same(film.header(), devices.film_header(), shot.resume.string());
+    for (size_t part = 0; part < film.parts().size(); part++) film.check_part(part);
+}
+
+FilmKeeper::FilmKeeper(DeviceGroup& devices, const Shot& shot, std::optional<double> seconds)
+    : devices_(devices), shot_(shot), path_(shot.film),
+      has_place_(!shot.resume.empty() && is_same_file(shot.resume, shot.film)), seconds_(seconds) {
+    if (shot.film.empty()) return;
+    const RenderOptions& options = devices.session().options();
     film_.header = devices.film_header();
     film_.window = options.rectangle.value_or(Rectangle{0, 0, options.width, options.height});
     if (shot.resume.empty()) return;
@@ -31,11 +42,24 @@ void FilmKeeper::wait() {
     told_ = true;
 }
 
+void FilmKeeper::take_place() {
+    std::error_code ignored;
+    if (!has_place_ && std::filesystem::exists(path_, ignored)) {
+        const std::filesystem::path wanted = path_;
+        for (int number = 2; std::filesystem::exists(path_, ignored); number++)
+            path_.replace_filename(fmt::format("{}.{}.exr", wanted.stem().string(), number));
+        spdlog::warn("{}: another render has made it meanwhile; this film goes to {}",
+                     wanted.string(), path_.string());
+    }
+    has_place_ = true;
+}
+
 void FilmKeeper::write_beside() {
+    take_place();
     film_.contents = devices_.contents();
     writing_ = std::async(std::launch::async, [this]() -> std::string {
         try {
-            write_film(shot_.film, film_);
+            write_film(path_, film_);
             return {};
         } catch (const std::exception& error) {
             return error.what();
@@ -55,9 +79,10 @@ void FilmKeeper::keep_if_due() {
 void FilmKeeper::keep() {
     if (writing_.valid()) writing_.get(); // what it failed of, this one will
     if (shot_.film.empty() || devices_.samples() == 0) return;
+    take_place();
     film_.contents = devices_.contents();
-    write_film(shot_.film, film_);
-    spdlog::info("wrote {}", std::filesystem::absolute(shot_.film).string());
+    write_film(path_, film_);
+    spdlog::info("wrote {}", std::filesystem::absolute(path_).string());
 }
 
 } // namespace onde::app

@@ -10,6 +10,10 @@
 
 namespace onde::app {
 
+/// Throws InputError, before anything is compiled, for a film of another picture, a damaged one,
+/// and for integrators without samples of single pixels.
+void check_film(const DeviceGroup& devices, const Shot& shot);
+
 class FilmKeeper {
   public:
     /// Without a film file, nothing is kept. Goes on from the shot's film, where there is one.
@@ -23,12 +27,16 @@ class FilmKeeper {
     void keep();
 
   private:
+    /// Before the first write: another render's film, which was not there at the start, is left.
+    void take_place();
     void write_beside();
     /// Of the write that runs, if one does.
     void wait();
 
     DeviceGroup& devices_;
     const Shot& shot_;
+    std::filesystem::path path_; ///< of the film
+    bool has_place_;             ///< what is there is this render's
     std::optional<double> seconds_;
     KeptFilm film_{};                  ///< as it is written
     std::future<std::string> writing_; ///< what became of it; empty: it is well

@@ -12,10 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_same_file(const fs::path& a, const fs::path& b) {
-    return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
-}
-
 void check_film_path(const fs::path& film) {
     if (is_standard_output(film) || !is_exr(film))
         throw InputError("{}: a film file is an .exr; change the extension", film.string());
@@ -86,11 +82,13 @@ void place_films(std::vector<Shot>& shots, const RenderRequest& request) {
     for (Shot& shot : shots) {
         place_film(shot, request);
         writable.check(shot.film);
-        for (const fs::path& output : shot.outputs)
-            if (is_same_file(output, shot.film))
-                throw InputError("{}: a picture and a film cannot go to the same place; name "
-                                 "another",
-                                 output.string());
+        std::vector<fs::path> others = shot.outputs;
+        if (!request.json.empty()) others.push_back(request.json);
+        for (const fs::path& other : others)
+            if (is_same_file(other, shot.film))
+                throw InputError("{}: a film and what else is written cannot go to the same place; "
+                                 "name another",
+                                 other.string());
     }
 }
 

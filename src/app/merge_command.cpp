@@ -6,11 +6,13 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "core/output.h"
+#include "film/ledger.h"
 #include "film/merge.h"
 #include "image/tone.h"
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace onde::app {
 namespace {
@@ -62,6 +64,10 @@ void check_outputs(MergeOptions& options, const std::vector<fs::path>& parts) {
         lower_extension(options.picture) != ".png")
         throw InputError("{}: pictures are written as .png or .exr; change the extension",
                          options.picture.string());
+    if (!options.output.empty() && !options.picture.empty() &&
+        is_same_file(options.output, options.picture))
+        throw InputError("{}: a picture and a film cannot go to the same place; name another",
+                         options.output.string());
     for (const fs::path& path : {options.output, options.picture}) {
         if (path.empty()) continue;
         check_writable(path);
@@ -88,6 +94,36 @@ void write_picture(const MergeOptions& options, FilmMerge& merge) {
         write_png(options.picture, straight_alpha(picture), display, metadata);
 }
 
+/// Whether a film that is there has samples that the merge has not, or is of another picture.
+bool would_lose(const FilmReader& there, const FilmMerge& merge) {
+    try {
+        check_same(there.header(), merge.header());
+    } catch (const InputError&) {
+        return true;
+    }
+    if (merge.header().identity.noise > 0) return there.parts() != merge.joined();
+    std::vector<FilmRange> ranges = there.parts();
+    const std::vector<FilmRange> missing = merge.missing();
+    ranges.insert(ranges.end(), missing.begin(), missing.end());
+    return find_overlap(ranges).has_value();
+}
+
+/// Throws InputError where the output is a film already, of which something would be lost.
+void check_nothing_lost(const fs::path& output, const FilmMerge& merge) {
+    std::error_code ignored;
+    if (output.empty() || !fs::exists(output, ignored)) return;
+    std::optional<FilmReader> there;
+    try {
+        there.emplace(output);
+    } catch (const InputError&) {
+        return; // some other file, which outputs replace
+    }
+    if (would_lose(*there, merge))
+        throw InputError("{}: is a film already, with samples that these parts have not; name it "
+                         "among them, or another file with -o",
+                         output.string());
+}
+
 void tell_missing(const std::vector<FilmRange>& missing) {
     constexpr size_t MOST = 8;
     for (size_t i = 0; i < std::min(missing.size(), MOST); i++)
@@ -101,10 +137,19 @@ void run_merge(MergeOptions options) {
     const std::vector<fs::path> files = part_files(options.parts);
     check_outputs(options, files);
     FilmMerge merge(files);
+    check_nothing_lost(options.output, merge);
     tell_missing(merge.missing());
     Outputs outputs;
-    if (!options.output.empty()) outputs.attempt([&] { merge.write(options.output); });
-    if (!options.picture.empty()) outputs.attempt([&] { write_picture(options, merge); });
+    if (!options.output.empty())
+        outputs.attempt([&] {
+            merge.write(options.output);
+            tell_written(options.output);
+        });
+    if (!options.picture.empty())
+        outputs.attempt([&] {
+            write_picture(options, merge);
+            tell_written(options.picture);
+        });
     outputs.check();
 }
 

@@ -100,11 +100,11 @@ std::vector<ExrLayer> exr_layers(const ShownPicture& shown, const std::vector<Ch
     return layers;
 }
 
+} // namespace
+
 void tell_written(const fs::path& path) {
     if (!is_standard_output(path)) spdlog::info("wrote {}", fs::absolute(path).string());
 }
-
-} // namespace
 
 std::vector<std::string> exr_names(std::string_view channel, std::string_view letters,
                                    ExrNames names) {

@@ -23,6 +23,9 @@ ExrLayer exr_layer(std::string_view channel, std::string_view letters, const Ima
 std::vector<ExrLayer> film_layers(FilmMerge& film, const Image& picture, bool full_float,
                                   ExrNames names);
 
+/// Logs it, but for standard output.
+void tell_written(const std::filesystem::path& path);
+
 /// Writes what the session shows to each path, and says so.
 void write_picture_files(const std::vector<std::filesystem::path>& paths, Outputs& outputs,
                          Session& session, const RenderRequest& request, const ShownPicture& shown,

@@ -93,6 +93,7 @@ void make_pictures(ShotSession& sessions, const std::vector<Shot>& shots, Timer 
                             .load_seconds = sessions.take_load_seconds()};
         work.interrupted = work.interrupt.requested() && told;
         if (work.interrupted) return;
+        check_film(devices, shot);
         const gpu::BuildReport kernels = devices.prepare();
         if (report.load_seconds > 0) report.kernels = kernels;
         if (!told || !report.kernels.from_cache)

@@ -40,6 +40,9 @@ void check_work_request(const WorkRequest& r) {
         render.choices.noise.value_or(0) > 0)
         throw InputError("workers share out samples and pixels by themselves; leave out --film, "
                          "--resume, --checkpoint, --samples, --rectangle, --time and --noise");
+    if (render.denoiser.denoiser != Denoiser::off || render.stats || !render.json.empty())
+        throw InputError("workers only make a film and its picture; leave out --denoise, --stats "
+                         "and --json, and give them to onde render --resume STORE/film.exr");
     check_request(render);
     if (render.outputs.empty()) return;
     check_outputs(named_outputs(render), render);
@@ -69,6 +72,7 @@ void write_picture(const std::filesystem::path& path, const Session& session,
                   metadata);
     else
         write_png(path, straight_alpha(picture), requested_display(session, request), metadata);
+    tell_written(path);
 }
 
 /// Works until the film is complete; returns whether it was interrupted.

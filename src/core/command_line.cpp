@@ -84,6 +84,14 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
     return text;
 }
 
+/// Refuses what is often a variable that is not set.
+CLI::Validator not_empty() {
+    const auto refuse = [](const std::string& text) {
+        return std::string(text.empty() ? "has an empty value; leave it out or give one" : "");
+    };
+    return CLI::Validator(refuse, "");
+}
+
 /// Refuses all other words.
 CLI::Validator one_of(const std::vector<std::string>& words) {
     const auto refuse = [words](const std::string& text) {
@@ -173,6 +181,7 @@ void Command::option(const std::string& name, OptionField field, const std::stri
         const bool has_range = std::isfinite(rules.least) || std::isfinite(rules.most);
         if constexpr (std::is_arithmetic_v<Number>)
             if (!has_range) option.check(representable<Number>());
+        option.check(not_empty());
         apply(rules, option);
     };
     std::visit(declare, field);

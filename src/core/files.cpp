@@ -34,4 +34,12 @@ std::string lower_extension(const fs::path& path) {
     return extension;
 }
 
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    const auto place = [](const std::filesystem::path& path) {
+        std::error_code ignored;
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), ignored);
+    };
+    return place(a) == place(b);
+}
+
 } // namespace onde

@@ -14,4 +14,7 @@ std::string read_file(const std::filesystem::path& path, uint64_t limit = uint64
 /// The extension in lower case, with its dot: ".png" of X.PNG.
 std::string lower_extension(const std::filesystem::path& path);
 
+/// Whether both are the same place, behind links, be something there or not.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 } // namespace onde

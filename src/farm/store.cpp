@@ -16,6 +16,9 @@
 namespace onde {
 namespace fs = std::filesystem;
 
+/// The longest text of a note.
+static constexpr size_t MOST_NOTE = 1 << 16;
+
 std::string name_of(const StoreKey& key) {
     return fmt::format("t{:04}-l{:02}-i{:06}", key.tile, key.level, key.index);
 }
@@ -68,11 +71,27 @@ void Store::remove(const StoreKey& key) const {
     fs::remove(path(key), ignored);
 }
 
+/// Whether a lease or a note of a store is called so, and no file of somebody else's.
+static bool is_name_of_store(const std::string& name) {
+    std::string_view core = name;
+    for (const std::string_view before : {"join-", "verify-"})
+        if (core.starts_with(before)) core.remove_prefix(before.size());
+    const std::string stem(core.substr(0, core.find('.')));
+    return name == "plan" || name == "film" || name.starts_with(".clock-") || key_of(stem);
+}
+
 void Store::remove_all() const {
     std::error_code ignored;
     for (const StoreKey& key : list()) remove(key);
-    for (const char* name : {"leases", "notes"}) fs::remove_all(folder_ / name, ignored);
-    fs::remove(folder_, ignored); // if it is empty
+    for (const char* name : {"leases", "notes"}) {
+        std::vector<fs::path> own;
+        for (fs::directory_iterator at(folder_ / name, ignored), end; !ignored && at != end;
+             at.increment(ignored))
+            if (is_name_of_store(at->path().filename().string())) own.push_back(at->path());
+        for (const fs::path& path : own) fs::remove(path, ignored);
+        fs::remove(folder_ / name, ignored); // if it is empty, as below
+    }
+    fs::remove(folder_, ignored);
 }
 
 fs::path Store::lease(const std::string& name) const {
@@ -138,7 +157,7 @@ void Store::put(const std::string& name, const std::string& text) const {
 
 std::optional<std::string> Store::get(const std::string& name) const {
     try {
-        return read_file(folder_ / "notes" / name, 4096);
+        return read_file(folder_ / "notes" / name, MOST_NOTE);
     } catch (const InputError&) {
         return std::nullopt; // not there, as yet
     }

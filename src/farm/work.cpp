@@ -11,9 +11,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <set>
+#include <sstream>
+#include <thread>
 
 namespace onde {
 namespace fs = std::filesystem;
@@ -76,20 +79,51 @@ static void check_plan(const WorkPlan& plan) {
 /// The note of it in a store.
 static constexpr const char* PLAN = "plan";
 
-/// As the first worker notes it, for the others.
 static std::string text_of(const WorkPlan& plan) {
     return fmt::format("{} samples in units of {}, {}x{} tiles", plan.header.samples,
                        plan.unit_samples, plan.columns, plan.rows);
 }
 
-void begin_plan(const Store& store, const WorkPlan& plan) {
-    check_plan(plan);
-    const auto begun = store.get(PLAN);
-    if (!begun) store.put(PLAN, text_of(plan));
-    if (begun && *begun != text_of(plan))
+/// As the first worker notes it, for the others: how it is cut, and of what picture it is.
+static std::string note_of(const WorkPlan& plan) {
+    std::string note = text_of(plan) + "\n";
+    for (const auto& [key, value] : texts_of(plan.header)) note += key + "\n" + value + "\n";
+    return note;
+}
+
+static FilmHeader header_of_note(const std::string& note) {
+    std::istringstream lines(note.substr(std::min(note.size(), note.find('\n') + 1)));
+    HeaderTexts texts;
+    for (std::string key, value; std::getline(lines, key) && std::getline(lines, value);)
+        texts[key] = value;
+    return header_of(texts);
+}
+
+static void check_note(const std::string& note, const WorkPlan& plan, const std::string& store) {
+    try {
+        check_same(header_of_note(note), plan.header, store);
+    } catch (const std::runtime_error& problem) {
+        if (dynamic_cast<const InputError*>(&problem)) throw;
+        throw InputError("{}: this store can't be read ({}); use another folder", store,
+                         problem.what());
+    }
+    const std::string begun = note.substr(0, note.find('\n'));
+    if (begun != text_of(plan))
         throw InputError("{}: this store was begun with {}, not with {}; use the same, or another "
                          "folder",
-                         store.film().parent_path().string(), *begun, text_of(plan));
+                         store, begun, text_of(plan));
+}
+
+void begin_plan(const Store& store, const WorkPlan& plan) {
+    check_plan(plan);
+    constexpr auto PAUSE = std::chrono::milliseconds(20);
+    for (;;) {
+        if (const auto note = store.get(PLAN))
+            return check_note(*note, plan, store.film().parent_path().string());
+        const Lease lease(store, PLAN); // the first one alone says what the store is of
+        if (lease && !store.get(PLAN)) return store.put(PLAN, note_of(plan));
+        if (!lease) std::this_thread::sleep_for(PAUSE);
+    }
 }
 
 std::optional<BegunPlan> begun_plan(const Store& store) {

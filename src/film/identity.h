@@ -36,10 +36,10 @@ constexpr auto fields_of(TypeTag<FilmIdentity>) {
                       field_without_key(&I::filter, "filter"),
                       field_without_key(&I::integrator, "integrator"),
                       field_without_key(&I::background, "background"),
-                      field_without_key(&I::aovs, "set of AOVs"),
                       field_without_key(&I::clamp, "clamp"),
                       field_without_key(&I::noise, "noise"),
                       field_without_key(&I::noise_exposure, "exposure of noise"),
+                      field_without_key(&I::aovs, "set of AOVs"),
                       field_without_key(&I::watertight, "triangle test")};
 }
 

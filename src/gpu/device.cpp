@@ -209,8 +209,11 @@ std::optional<size_t> choose_device(const std::vector<PlatformReport>& platforms
     const auto [end, error] =
         std::from_chars(selector.data(), selector.data() + selector.size(), index);
     const bool is_index = error == std::errc() && end == selector.data() + selector.size();
-    // A number beyond the list may still be part of a name, such as "3090".
+    // A number beyond the list may still be part of a name, such as "3090", but not "1" of
+    // "avx512".
+    constexpr size_t DIGITS_OF_NAME = 3;
     if (is_index && index < devices.size()) return index;
+    if (is_index && selector.size() < DIGITS_OF_NAME) return std::nullopt;
     return device_named(devices, selector);
 }
 

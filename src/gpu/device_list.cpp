@@ -55,6 +55,8 @@ std::vector<DeviceChoice> choose_listed(const std::vector<PlatformReport>& platf
     std::vector<DeviceChoice> choices;
     for (size_t begin = 0; begin <= list.size();) {
         const size_t end = std::min(list.find(',', begin), list.size());
+        if (end == begin)
+            throw InputError("--device {} has no device between two commas; name one", list);
         const DeviceChoice choice = choose_one(platforms, list.substr(begin, end - begin));
         if (std::ranges::find(choices, choice.index, &DeviceChoice::index) != choices.end())
             throw InputError("--device {} names device {} twice; name it once", list, choice.index);

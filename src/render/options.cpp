@@ -22,6 +22,9 @@ uint32_t most_depth(IntegratorKind integrator) {
 
 static void check_film(const RenderOptions& options) {
     const bool transparent = options.background == Background::transparent;
+    if (options.integrator != IntegratorKind::path && options.clamp > 0)
+        throw InputError("--clamp is for --integrator path, not for {}",
+                         word_of(options.integrator));
     if (options.integrator != IntegratorKind::path && (transparent || options.aovs != 0))
         throw InputError("--background transparent and the --aov of surfaces are for --integrator "
                          "path, not for {}",
@@ -32,7 +35,7 @@ static void check_film(const RenderOptions& options) {
         throw InputError("a transparent background needs the AOV alpha");
     const bool has_clamped = (options.aovs >> AOV_CLAMPED & 1) != 0;
     if (has_clamped != (options.clamp > 0))
-        throw InputError("the AOV clamped is what a clamp removes; ask for both, or for neither");
+        throw InputError("the channel clamped is what --clamp removes; give --clamp too");
 }
 
 /// Half of a step of 8 bits, squared by the shown values' root, takes no more.

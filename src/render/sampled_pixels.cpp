@@ -46,16 +46,16 @@ NoiseReport noise_report(const Film& film, const RenderOptions& options) {
     const WholeBlocks blocks(film);
     const NoiseEstimate estimate(blocks.sums(), target_of(options));
     NoiseReport report{.share = estimate.share()};
-    for (const cl_float4& sum : blocks.radiance) {
-        const double samples = sum.s[3];
-        if (samples == 0) continue;
-        report.most = std::max(report.most, samples);
-        report.fewest = report.fewest > 0 ? std::min(report.fewest, samples) : samples;
-    }
-    report.is_met = report.most > 0;
+    float most = 0; // of whole blocks
+    for (const cl_float4& sum : blocks.radiance) most = std::max(most, sum.s[3]);
+    report.is_met = most > 0;
     for (size_t i = 0; i < blocks.radiance.size(); i++)
-        if (blocks.radiance[i].s[3] == report.most)
-            report.is_met = report.is_met && estimate.is_sure(i);
+        if (blocks.radiance[i].s[3] == most) report.is_met = report.is_met && estimate.is_sure(i);
+    for (const float samples : film.develop(SAMPLE_COUNT).pixels) {
+        if (samples == 0) continue;
+        report.most = std::max<double>(report.most, samples);
+        report.fewest = report.fewest > 0 ? std::min<double>(report.fewest, samples) : samples;
+    }
     return report;
 }
 

@@ -12,9 +12,10 @@
 
 namespace onde {
 
-/// What the whole blocks of a film with halves say of its noise.
+/// What is known of the noise of a film with halves, from its whole blocks.
 struct NoiseReport {
-    double share = 0;            ///< of the pixels that are off by more than the target, about
+    double share = 0; ///< of the pixels that are off by more than the target, roughly: pixels that
+                      ///< are done seem less noisy than they are
     bool is_met = false;         ///< no pixel that got the most samples needs more
     double fewest = 0, most = 0; ///< samples of a pixel
 };

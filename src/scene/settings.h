@@ -63,7 +63,7 @@ constexpr auto fields_of(TypeTag<RenderSettings>) {
             "noise", &S::noise,
             "render until each pixel is, with 95 % probability, off by no more than this share of "
             "white as it is shown, whatever `samples` says",
-            {.range = {.low = 1e-4f, .high = 1}}),
+            {.range = {.low = 0, .high = 1}}),
         field("depth", &S::depth, "the most surfaces that a path may visit",
               {.range = {.low = 1, .high = 1023}}),
         field("seed", &S::seed, "of the random numbers",

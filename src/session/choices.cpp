@@ -81,15 +81,21 @@ void resolve_settings(const RenderChoices& choices, gpu::DeviceSettings& setting
 uint32_t resolve_samples(const RenderChoices& choices, const RenderSettings& own,
                          const RenderOptions& options) {
     if (choices.samples) return *choices.samples;
-    if (choices.seconds) return ENDLESS;
-    return options.noise > 0 ? MOST_FOR_NOISE : own.samples.value_or(options.samples);
+    if (options.noise > 0) return MOST_FOR_NOISE;
+    return choices.seconds ? ENDLESS : own.samples.value_or(options.samples);
 }
 
 /// What only the scene asks for gives way to an integrator that can't, and to parts of pictures.
 void resolve_noise(const RenderChoices& choices, const RenderSettings& own,
-                   RenderOptions& options) {
+                   ResolvedOptions& resolved) {
+    RenderOptions& options = resolved.options;
     const bool can = options.integrator == IntegratorKind::path && !choices.sample_range;
     options.noise = choices.noise.value_or(can ? own.noise.value_or(0.0f) : 0.0f);
+    if (!can && !choices.noise && own.noise.value_or(0.0f) > 0)
+        resolved.notes.push_back(fmt::format(
+            "the scene's noise is left out, as {} can't have one",
+            choices.sample_range ? "--samples"
+                                 : fmt::format("--integrator {}", word_of(options.integrator))));
     if (options.noise == 0) return;
     options.noise_exposure = choices.exposure.value_or(own.exposure.value_or(0.0f));
     options.aovs |= 1u << AOV_HALVES;
@@ -131,7 +137,7 @@ ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene
     options.seconds = choices.seconds.value_or(0);
     options.integrator = choices.integrator.value_or(own.integrator.value_or(options.integrator));
     options.aovs = choices.aovs;
-    resolve_noise(choices, own, options);
+    resolve_noise(choices, own, resolved);
     options.samples = resolve_samples(choices, own, options);
     options.seed = choices.seed.value_or(own.seed.value_or(options.seed));
     options.filter = choices.filter.value_or(own.filter.value_or(options.filter));

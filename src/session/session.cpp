@@ -238,15 +238,18 @@ std::optional<NoiseReport> Session::noise() {
 }
 
 static std::string words_of(const NoiseReport& report, float target) {
-    if (report.most == 0) return "of fewer than 64 samples it is not known how noisy they are";
     const std::string samples =
         report.fewest == report.most
             ? fmt::format("{:g} samples of every pixel", report.most)
             : fmt::format("{:g} to {:g} samples of a pixel", report.fewest, report.most);
-    return fmt::format(
-        "{}: about {:.2g} % of the pixels are off by more than the {:g} that --noise "
-        "allows{}",
-        samples, 100 * report.share, target, report.is_met ? "" : ", and some need more samples");
+    if (report.is_met)
+        return fmt::format("{}: no more than {:g} % of the pixels are off by more than {:g}",
+                           samples, 100 * NOISY_SHARE, target);
+    if (report.most < FILM_BLOCK)
+        return fmt::format("{}: of fewer than {} it is not known how noisy they are", samples,
+                           FILM_BLOCK);
+    return fmt::format("{}: some pixels need more; about {:.2g} % are off by more than {:g}",
+                       samples, 100 * report.share, target);
 }
 
 std::vector<std::string> Session::findings() {

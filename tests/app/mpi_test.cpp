@@ -108,6 +108,19 @@ TEST_CASE("a job whose rank was killed goes on from its parts, by another number
     CHECK_FALSE(fs::exists(folder / "parts"));
 }
 
+TEST_CASE("what lies in the folder of parts and is none stays") {
+    if (!ONDE_HAS_MPI) return;
+    const Folder folder;
+    fs::create_directories(folder / "parts/notes");
+    folder.write("parts/notes/diary.txt", "dear diary");
+    const Outcome outcome =
+        run(folder, 2, picture("128", {"--mpi", "--film", "all.exr", "--parts", "parts"}));
+    INFO(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(content(folder / "parts/notes/diary.txt") == "dear diary");
+    CHECK_FALSE(fs::exists(folder / "parts/leases"));
+}
+
 TEST_CASE("what ranks can't do together is said in one sentence") {
     const Folder folder;
     check_refused(folder, picture("1", {"--mpi", "--time", "1"}), "leave out --resume");

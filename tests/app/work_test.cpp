@@ -172,6 +172,12 @@ TEST_CASE("what workers can't do together is said in one sentence") {
     check(picture({"work", "new"}, {"--unit", "192"}), "use 64, 128, 256");
     check(picture({"work", "new"}, {"--tiles", "50x1"}), "do not fit a picture");
     check(picture({"work", "new"}, {"--film", "a.exr"}), "leave out --film");
+    check(picture({"work", "new"}, {"--denoise", "onde"}), "leave out --denoise");
+    // What a store is of is said before its first unit.
+    fs::create_directories(folder / "begun/notes");
+    fs::copy(folder / "store/notes/plan", folder / "begun/notes/plan");
+    check(picture({"work", "begun"}, {"--seed", "5"}), "film is of another seed");
+    CHECK(onde::test::onde(folder, {"farm", "status", "begun"}).code == 0);
     check(picture({"work", "new"}, {"--noise", "0.1"}), "--time and --noise");
     check(picture({"work", "new"}, {"--turntable", "2"}), "a store is of one picture");
     check(picture({"work", "new"}, {"--integrator", "light"}), "light has none");

@@ -71,6 +71,7 @@ TEST_CASE("a selector is an index through all platforms, or part of a name of de
 TEST_CASE("a number beyond the list is looked for in the names") {
     CHECK(choose_device(workstation(), "3090") == 2);
     CHECK_FALSE(choose_device(workstation(), "17"));
+    CHECK_FALSE(choose_device(workstation(), "30")); // a number, not a part of "3090"
 }
 
 TEST_CASE("among devices of a matching platform a usable one is preferred, a named one is obeyed") {

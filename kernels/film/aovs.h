@@ -1,10 +1,12 @@
 // Planes of a film behind that of radiance: one for each AOV that the program has, in the order of
-// the list. The paths of a wave have planes for those that are not functions of their radiance.
+// the list, then one for each group of lights. The paths of a wave have planes for those that are
+// not functions of their radiance.
 #ifndef ONDE_FILM_AOVS_H
 #define ONDE_FILM_AOVS_H
 
 #include "math/vector.h"
 #include "shared/aovs.h"
+#include "shared/columns.h"
 
 #ifndef ONDE_AOVS
     #define ONDE_AOVS 0
@@ -16,7 +18,13 @@
 // Bits of a constant, as a constant.
 #define ONDE_STORED_BIT(NAME, name, word, letters, SOURCE)                                         \
     +(AOV_SOURCE_##SOURCE != AOV_SOURCE_SAMPLE && (ONDE_AOVS >> AOV_##NAME & 1))
-#define WAVE_PLANES (0 AOVS(ONDE_STORED_BIT))
+#define ONDE_AOV_BIT(NAME, name, word, letters, SOURCE) +(ONDE_AOVS >> AOV_##NAME & 1)
+#define STORED_AOVS (0 AOVS(ONDE_STORED_BIT))
+#define WAVE_PLANES (STORED_AOVS + ONDE_GROUPS)
+
+// The first planes of groups.
+#define WAVE_GROUPS (1 + STORED_AOVS)
+#define FILM_GROUPS (1 AOVS(ONDE_AOV_BIT))
 
 #if ONDE_AOVS
 

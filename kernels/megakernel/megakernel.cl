@@ -12,6 +12,9 @@ typedef struct {
 #if ONDE_AOVS
     Aovs aovs;
 #endif
+#if ONDE_GROUPS
+    real3 groups[ONDE_GROUPS];
+#endif
 } Gathered;
 
 #if ESTIMATOR_SPLATS
@@ -52,6 +55,14 @@ INLINE void gather_light(real3 value, uint surfaces, LightShares shares, mask la
     #endif
 #endif
 
+#if ONDE_GROUPS
+// Gathers light by the groups of its sources.
+INLINE void gather_groups(natural group, real3 value, mask lanes, real3* sums) {
+    for (uint g = 0; g < ONDE_GROUPS; g++)
+        sums[g] = choose(lanes & (group == g), add3(sums[g], value), sums[g]);
+}
+#endif
+
 // Tests the connections of a vertex, the camera or light being vertex 0, and adds what arrives.
 INLINE void connect_lanes(Estimator e, FilmView film, Connection c, natural id, uint vertex,
                           mask lanes, Gathered* gathered) {
@@ -79,6 +90,9 @@ INLINE void connect_lanes(Estimator e, FilmView film, Connection c, natural id, 
     shares.transmitted = c.transmitted;
     gather_light(c.value, vertex + 1, shares, lit, &gathered->aovs);
 #endif
+#if ONDE_GROUPS
+    gather_groups(c.target, c.value, lit, gathered->groups);
+#endif
 }
 
 // What the paths from `first` gather, lanes at `end` and beyond left out.
@@ -90,6 +104,9 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
     gathered.contributed = gathered.unblocked = (natural)(0u);
 #if ONDE_AOVS
     gathered.aovs = no_aovs();
+#endif
+#if ONDE_GROUPS
+    for (uint g = 0; g < ONDE_GROUPS; g++) gathered.groups[g] = zero3();
 #endif
     mask alive = lanes;
 #if ESTIMATOR_CONNECTS_START
@@ -126,6 +143,9 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
         gather_aovs(AOV_SOURCE_GUIDE, step.aovs, alive & step.guided, &gathered.aovs);
         gather_light(step.emitted, bounce, trail_shares(state), alive, &gathered.aovs);
     #endif
+    #if ONDE_GROUPS
+        gather_groups(step.group, step.emitted, alive, gathered.groups);
+    #endif
         state = step.next;
         connect_lanes(e, film, step.connection, id, bounce + ESTIMATOR_CONNECTS_START, alive,
                       &gathered);
@@ -136,7 +156,7 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
 }
 
 #if !ESTIMATOR_SPLATS
-    #if ONDE_AOVS
+    #if ONDE_AOVS || ONDE_GROUPS
 // Of the lanes in `bits`, of shares of light as much as is kept of their samples.
 INLINE void add_aov(Estimator e, FilmView film, real3 value, uint plane, bool is_light,
                     const float* kept, uint first, uint bits) {
@@ -163,7 +183,7 @@ INLINE void add_samples(Estimator e, FilmView film, Gathered gathered, uint firs
         const float4 radiance = (float4)(x[k], y[k], z[k], 0.0f);
         kept[k] = kept_share(film, radiance);
         if (!film_add(film, e.job, first + k, radiance * kept[k])) continue;
-        film_add_sample_aovs(film, e.job, first + k, WAVE_PLANES, radiance, kept[k]);
+        film_add_sample_aovs(film, e.job, first + k, STORED_AOVS, radiance, kept[k]);
         added |= 1u << k;
     }
     #if ONDE_AOVS
@@ -174,6 +194,10 @@ INLINE void add_samples(Estimator e, FilmView film, Gathered gathered, uint firs
                         AOV_SOURCE_##SOURCE == AOV_SOURCE_LIGHT, kept, first, added);
     AOVS(ONDE_ADD_AOV)
         #undef ONDE_ADD_AOV
+    #endif
+    #if ONDE_GROUPS
+    for (uint g = 0; g < ONDE_GROUPS; g++)
+        add_aov(e, film, gathered.groups[g], FILM_GROUPS + g, true, kept, first, added);
     #endif
 }
 #endif

@@ -13,11 +13,19 @@
 #define ESTIMATOR_SPLATS 0
 #if ONDE_TRAIL
     #define ESTIMATOR_COLUMNS TRAILED_PATH_COLUMNS
-    #define ESTIMATOR_CONNECTIONS SHARED_CONNECTION_COLUMNS
+    #define PATH_SHARES SHARE_COLUMNS
 #else
     #define ESTIMATOR_COLUMNS PATH_COLUMNS
-    #define ESTIMATOR_CONNECTIONS CONNECTION_COLUMNS
+    #define PATH_SHARES NO_COLUMNS
 #endif
+#if ONDE_GROUPS
+    #define PATH_TARGET TARGET_COLUMNS
+#else
+    #define PATH_TARGET NO_COLUMNS
+#endif
+#define ESTIMATOR_CONNECTIONS(VECTOR, REAL, NATURAL)                                               \
+    CONNECTION_COLUMNS(VECTOR, REAL, NATURAL)                                                      \
+    PATH_TARGET(VECTOR, REAL, NATURAL) PATH_SHARES(VECTOR, REAL, NATURAL)
 typedef Path State;
 typedef PathVertex Step;
 

@@ -28,6 +28,9 @@ typedef struct {
     Connection connection; // light sampled from here, for the path's own sum
     Path next;
     mask alive; // whether `next` goes on
+#if ONDE_GROUPS
+    natural group; // of lights, of what was found
+#endif
 #if ONDE_AOVS
     Aovs aovs;   // those of surfaces at the first vertex, guides where `guided`
     mask guided; // whether this is the vertex that guides
@@ -101,6 +104,7 @@ INLINE Connection path_connection(SceneView view, Path path, Vertex v, Sampler s
     ray.direction = choose(finite, scale3(to, 1.0f / length), light.direction);
     ray.distance = choose(finite, length * SHADOW_SHORTENING, (real)(INFINITE_DISTANCE));
     ray.distance = choose(useful, ray.distance, (real)(0.0f));
+    ray.target = light.group;
 #if ONDE_TRAIL
     ray.diffuse = path.diffuse;
     ray.transmitted = path.transmitted;
@@ -182,6 +186,9 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     if (is_seen && mask_bits(missed))
         result.emitted = choose(missed, path_background(view, path), result.emitted);
 #endif
+#if ONDE_GROUPS
+    result.group = (natural)(view.frame->environment_group);
+#endif
 #if ONDE_AOVS
     result.aovs = no_aovs();
     result.guided = lanes & !lanes;
@@ -199,6 +206,9 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     const real3 emitted = path_emission(view, path, v.t, v.surface, found);
     result.emitted = choose(found, emitted, result.emitted);
     if (HAS_UNLIT) result.emitted = add3(result.emitted, path_unlit(view, path, v.surface, found));
+#if ONDE_GROUPS
+    result.group = choose(found, material_group(view, v.surface.material), result.group);
+#endif
 #if ONDE_AOVS
     if (bounce == 0) result.aovs = first_surface(view, v, path.direction, found, result.aovs);
 #endif

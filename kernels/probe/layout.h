@@ -115,6 +115,7 @@
     OFFSET(FrameRecord, ground_share)                                                              \
     OFFSET(FrameRecord, ground_height)                                                             \
     OFFSET(FrameRecord, most_radiance)                                                             \
+    OFFSET(FrameRecord, environment_group)                                                         \
     OFFSET(FrameRecord, pad4)                                                                      \
     OFFSET(FrameRecord, filter_table)                                                              \
     SIZE(MaterialRecord)                                                                           \
@@ -122,6 +123,7 @@
     OFFSET(MaterialRecord, two_sided)                                                              \
     OFFSET(MaterialRecord, alpha_mode)                                                             \
     OFFSET(MaterialRecord, double_sided)                                                           \
+    OFFSET(MaterialRecord, group)                                                                  \
     OFFSET(MaterialRecord, base_color)                                                             \
     OFFSET(MaterialRecord, emission)                                                               \
     OFFSET(MaterialRecord, roughness)                                                              \
@@ -213,6 +215,7 @@
     OFFSET(LightRecord, alias)                                                                     \
     OFFSET(LightRecord, material)                                                                  \
     OFFSET(LightRecord, surface)                                                                   \
+    OFFSET(LightRecord, group)                                                                     \
     OFFSET(LightRecord, as.triangle)                                                               \
     OFFSET(LightRecord, as.triangle.corner)                                                        \
     OFFSET(LightRecord, as.triangle.area)                                                          \

@@ -8,7 +8,8 @@ typedef struct {
     real3 origin, direction;
     real distance;  // 0: nothing to test and nothing to add
     real3 value;    // is added, times the transmittance of the way
-    natural target; // y * width + x of a pixel; unused where all is for the path's own sum
+    natural target; // y * width + x of a pixel; or where all is for the path's own sum, the group
+                    // of the light
 #if ONDE_TRAIL
     real3 diffuse; // shares of the value
     real transmitted;

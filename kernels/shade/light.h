@@ -55,6 +55,9 @@ INLINE LightSample sample_light_of(SceneView view, uint kinds, real3 from, real 
     LIGHT_TYPES(SAMPLE_LIGHT)
 #undef SAMPLE_LIGHT
     s.pdf *= RECORD(view.lights, light, LightRecord, pmf);
+#if ONDE_GROUPS
+    s.group = RECORD_NATURAL(view.lights, light, LightRecord, group);
+#endif
     return s;
 }
 

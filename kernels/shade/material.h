@@ -20,6 +20,11 @@ INLINE mask material_emits(SceneView view, natural material, mask front) {
     return front | (RECORD_NATURAL(view.materials, material, MaterialRecord, two_sided) != 0u);
 }
 
+// The group of lights that what it emits belongs to.
+INLINE natural material_group(SceneView view, natural material) {
+    return RECORD_NATURAL(view.materials, material, MaterialRecord, group);
+}
+
 // The base colour at a surface.
 INLINE real3 material_color(SceneView view, Surface s) {
     real3 color = RECORD3(view.materials, s.material, MaterialRecord, base_color);

@@ -14,6 +14,11 @@
     #define ONDE_TRAIL 0
 #endif
 
+// Groups of lights whose light the film has by itself: 0, or those of the scene.
+#ifndef ONDE_GROUPS
+    #define ONDE_GROUPS 0
+#endif
+
 // A path of the path tracer. pdf: of the direction at the last vertex, 0 if light can't have been
 // sampled there. (The ray comes first in every list.)
 #define PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                        \
@@ -41,13 +46,14 @@
 #define HIT_COLUMNS(VECTOR, REAL, NATURAL)                                                         \
     REAL(t) REAL(u) REAL(v) NATURAL(primitive) NATURAL(instance)
 
-// A connection whose value is for its own path, one with shares of its light, and one for any
-// pixel, its target.
+// A connection whose value is for its own path. Behind that may stand its target, a pixel or a
+// group of lights, and then shares of its light.
 #define CONNECTION_COLUMNS(VECTOR, REAL, NATURAL)                                                  \
     VECTOR(origin) VECTOR(direction) REAL(distance) VECTOR(value)
-#define SHARED_CONNECTION_COLUMNS(VECTOR, REAL, NATURAL)                                           \
-    CONNECTION_COLUMNS(VECTOR, REAL, NATURAL) VECTOR(diffuse) REAL(transmitted)
+#define TARGET_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(target)
+#define SHARE_COLUMNS(VECTOR, REAL, NATURAL) VECTOR(diffuse) REAL(transmitted)
+#define NO_COLUMNS(VECTOR, REAL, NATURAL)
 #define SPLAT_COLUMNS(VECTOR, REAL, NATURAL)                                                       \
-    CONNECTION_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(target)
+    CONNECTION_COLUMNS(VECTOR, REAL, NATURAL) TARGET_COLUMNS(VECTOR, REAL, NATURAL)
 
 #endif

@@ -33,11 +33,12 @@ typedef struct {
     uint environment_width, environment_height; // of the map; 0 when it is constant
     float environment_radiance[3];
     float environment_rotation; // in turns
-    float ground_share[3]; // of a sample of light, in all the light that the ground receives: 1 /
-                           // that
-    float ground_height;   // y of the plane
-    float most_radiance;   // of a sample, of films that have what is cut off beyond it
-    float pad4[2];
+    float ground_share[3];  // of a sample of light, in all the light that the ground receives: 1 /
+                            // that
+    float ground_height;    // y of the plane
+    float most_radiance;    // of a sample, of films that have what is cut off beyond it
+    uint environment_group; // of lights
+    float pad4;
     // Inverse cumulative distribution of the pixel filter, offsets in pixels.
     float filter_table[FILTER_TABLE_SIZE];
 } FrameRecord;

@@ -57,6 +57,7 @@ typedef struct {
     uint two_sided;
     uint alpha_mode;   // ALPHA_...
     uint double_sided; // else camera rays pass its back
+    uint group;        // of lights, that its emission belongs to
     MATERIAL_COLORS(COLOR_MEMBER)
     MATERIAL_NUMBERS(NUMBER_MEMBER)
     uint texture[TEXTURE_COUNT]; // by slot: index of a TextureRecord, or NO_INDEX
@@ -168,6 +169,7 @@ typedef struct {
     uint alias;
     uint material; // that emits; 0 where the light has no surface
     uint surface;  // its SurfaceRecord; likewise
+    uint group;    // of lights
     union {
         LIGHT_TYPES(LIGHT_RECORD)
     } as;

@@ -18,6 +18,8 @@ INLINE void count_tree_rays(WaveJob job, uint row, WaveView wave, uint i, mask l
 #endif
 }
 
+#define CONNECTION_TARGET COLUMN_COUNT(CONNECTION_COLUMNS)
+
 INLINE float3 word3(Columns c, uint k, uint i) {
     return (float3)(*column(c, k, i), *column(c, k + 1, i), *column(c, k + 2, i));
 }
@@ -58,8 +60,9 @@ INLINE uint find_transmittance(Estimator e, WaveView wave, const uint* slots, ui
 // The same light to the AOVs of light.
 INLINE void deliver_light(WaveView wave, uint slot, uint path, uint vertex, float3 value) {
     const Columns connections = wave_connections(wave);
-    const float3 diffuse = word3(connections, RAY_DISTANCE + 4, slot);
-    const float transmitted = *column(connections, RAY_DISTANCE + 7, slot);
+    const uint shares = CONNECTION_TARGET + COLUMN_COUNT(PATH_TARGET);
+    const float3 diffuse = word3(connections, shares, slot);
+    const float transmitted = *column(connections, shares + 3, slot);
     #define ONDE_DELIVER_AOV(NAME, name, word, letters, SOURCE)                                    \
         if (AOV_SOURCE_##SOURCE != AOV_SOURCE_SAMPLE && HAS_AOV(NAME)) {                           \
             path += wave.state.stride;                                                             \
@@ -81,13 +84,17 @@ INLINE void deliver(Estimator e, WaveView wave, FilmView film, uint slot, uint v
     const uint path = as_uint(*column(wave.state, COLUMN_ID, slot));
     const float3 value = word3(connections, RAY_DISTANCE + 1, slot) * transmittance;
 #if ESTIMATOR_SPLATS
-    const uint target = as_uint(*column(connections, RAY_DISTANCE + 4, slot));
+    const uint target = as_uint(*column(connections, CONNECTION_TARGET, slot));
     wave.sums[path] += estimator_splat(e, film, path, vertex, target, value);
 #else
     wave.sums[path] += (float4)(value, 0.0f);
 #endif
 #if ONDE_TRAIL
     deliver_light(wave, slot, path, vertex, value);
+#endif
+#if ONDE_GROUPS
+    const uint group = as_uint(*column(connections, CONNECTION_TARGET, slot));
+    wave.sums[(WAVE_GROUPS + group) * wave.state.stride + path] += (float4)(value, 0.0f);
 #endif
 }
 

@@ -62,6 +62,9 @@ INLINE void stage_shade(Estimator e, WaveView wave, uint bounce, uint begin, uin
         const uint emitting = mask_bits(lanes & nonzero3(step.emitted));
         add_to_sums(wave, id, step.emitted, emitting);
 #endif
+#if ONDE_GROUPS
+        add_to_groups(wave, id, step.group, step.emitted, emitting);
+#endif
 #if ONDE_AOVS
         if (bounce == 0) store_aovs(wave, id, AOV_SOURCE_SURFACE, step.aovs, mask_bits(lanes));
 #endif
@@ -211,6 +214,9 @@ INLINE void stage_accumulate(Estimator e, WaveView wave, FilmView film, uint beg
         AOVS(ONDE_ACCUMULATE_AOV)
     #undef ONDE_ACCUMULATE_AOV
         film_add_sample_aovs(film, e.job, i, plane, wave.sums[i], kept);
+        for (uint g = 0; g < ONDE_GROUPS; g++)
+            film_add_aov(film, e.job, i, FILM_GROUPS + g,
+                         wave.sums[(WAVE_GROUPS + g) * wave.state.stride + i] * kept);
     }
 #endif
 }

@@ -89,6 +89,13 @@ INLINE void add_to_sums(WaveView wave, natural id, real3 value, uint bits) {
     }
 }
 
+#if ONDE_GROUPS
+// The same of the groups of lights that the values come from.
+INLINE void add_to_groups(WaveView wave, natural id, natural group, real3 value, uint bits) {
+    add_to_sums(wave, (group + WAVE_GROUPS) * wave.state.stride + id, value, bits);
+}
+#endif
+
 #if ONDE_AOVS
     // Calls WRITE(plane's first sum + id, AOV) for each AOV of a source that the program has.
     #define ONDE_WRITE_AOV(NAME, name, word, letters, SOURCE)                                      \

@@ -40,6 +40,10 @@ requires std::is_same_v<T, bool> || std::is_same_v<T, uint32_t> || std::is_same_
     return value;
 }
 
+inline Json json_value(const FieldRules&, const std::vector<std::string>& texts) {
+    return texts;
+}
+
 template <Fielded T>
 Json json_value(const FieldRules&, const T& thing) {
     return json_fields(thing);

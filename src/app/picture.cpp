@@ -16,11 +16,13 @@ ShownPicture shown_picture(Session& session, Outputs& outputs) {
     if (session.has_denoiser())
         outputs.attempt([&] {
             DenoisedImage denoised = session.denoised();
-            shown = {std::move(denoised.picture), session.picture(), std::move(denoised.denoiser),
-                     denoised.seconds};
+            shown = {std::move(denoised.picture), session.picture(), std::move(denoised.groups),
+                     std::move(denoised.denoiser), denoised.seconds};
             spdlog::info("denoised by {} in {:.2f} s", shown.denoiser, shown.seconds);
         });
-    if (shown.denoiser.empty()) shown.picture = session.picture();
+    if (!shown.denoiser.empty()) return shown;
+    shown.picture = session.picture();
+    shown.groups = session.light_groups();
     return shown;
 }
 

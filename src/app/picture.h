@@ -30,9 +30,10 @@ RenderOutcome render_until_done(Renderer& renderer, const std::string& name,
 
 /// What a session shows, by the denoiser where its options ask for one.
 struct ShownPicture {
-    Image picture{}, noisy{}; ///< the latter where there is a denoiser
-    std::string denoiser{};   ///< its name, or empty
-    double seconds = 0;       ///< that it took
+    Image picture{}, noisy{};    ///< the latter where there is a denoiser
+    std::vector<Image> groups{}; ///< the light of groups of lights, where the film has it
+    std::string denoiser{};      ///< its name, or empty
+    double seconds = 0;          ///< that it took
 };
 
 /// A denoiser that fails costs no picture: it has its noise then, and `outputs` keep the sentence.

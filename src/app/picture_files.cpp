@@ -26,6 +26,8 @@ constexpr std::pair<std::string_view, std::string_view> BLENDER_PASSES[] = {
     {"denoise-normal", "Denoising Normal"}};
 
 std::string blender_pass(std::string_view channel) {
+    if (channel.starts_with(GROUP_PREFIX)) // as Cycles calls its light groups
+        return "Combined_" + std::string(channel.substr(GROUP_PREFIX.size()));
     const auto* known = std::ranges::find(BLENDER_PASSES, channel, [](auto& p) { return p.first; });
     if (known != std::end(BLENDER_PASSES)) return std::string(known->second);
     std::string pass(channel);
@@ -77,11 +79,23 @@ Channel film_channel(Session& session, const FilmChannel& channel) {
             std::move(shown)};
 }
 
-std::vector<Channel> requested_channels(Session& session, const RenderRequest& request) {
+void add_light_groups(const Session& session, const ShownPicture& shown,
+                      std::vector<Channel>& channels) {
+    const std::vector<std::string>& groups = session.options().light_groups;
+    for (size_t i = 0; i < groups.size(); i++)
+        channels.push_back({group_layer(groups[i]), "RGB", shown.groups[i], shown.groups[i]});
+}
+
+std::vector<Channel> requested_channels(Session& session, const RenderRequest& request,
+                                        const ShownPicture& shown) {
     std::vector<Channel> channels;
-    for (const std::string& aov : request.aovs)
-        channels.push_back(aov == TRAVERSAL_COST ? traversal_cost(session)
-                                                 : film_channel(session, *find_channel(aov)));
+    for (const std::string& aov : requested_aovs(request, session.scene())) {
+        if (aov == LIGHT_GROUPS)
+            add_light_groups(session, shown, channels);
+        else
+            channels.push_back(aov == TRAVERSAL_COST ? traversal_cost(session)
+                                                     : film_channel(session, *find_channel(aov)));
+    }
     return channels;
 }
 
@@ -118,18 +132,24 @@ std::vector<std::string> exr_names(std::string_view channel, std::string_view le
 ExrLayer exr_layer(std::string_view channel, std::string_view letters, const Image& numbers,
                    ExrDepth depth_of_light, ExrNames names) {
     const FilmChannel* known = find_channel(channel);
-    const bool is_light = channel == RADIANCE.name || (known && known->sums < AOV_COUNT &&
-                                                       (LIGHT_AOVS >> known->sums & 1) != 0);
+    const bool is_light =
+        channel == RADIANCE.name || channel.starts_with(GROUP_PREFIX) ||
+        (known && known->sums < AOV_COUNT && (LIGHT_AOVS >> known->sums & 1) != 0);
     return {numbers, exr_names(channel, letters, names),
             is_light ? depth_of_light : ExrDepth::full_float};
 }
 
 std::vector<ExrLayer> film_layers(FilmMerge& merge, const Image& picture, bool full_float,
                                   ExrNames names) {
+    const FilmIdentity& film = merge.header().identity;
+    std::vector<std::string> groups;
+    for (const std::string& group : film.light_groups) groups.push_back(group_layer(group));
     std::vector<FilmChannel> channels;
     for (const FilmChannel& channel : FILM_CHANNELS)
-        if (channel.sums < AOV_COUNT && (merge.header().identity.aovs >> channel.sums & 1) != 0)
+        if (channel.sums < AOV_COUNT && film.planes().has(channel.sums))
             channels.push_back(channel);
+    for (const std::string& group : groups)
+        channels.push_back(group_channel(group, size_t(&group - groups.data())));
     const std::vector<Image> images = merge.develop(channels);
     const ExrDepth depth = full_float ? ExrDepth::full_float : ExrDepth::half_float;
     const std::string_view letters = picture.channels == 4 ? "RGBA" : "RGB";
@@ -143,7 +163,7 @@ void write_picture_files(const std::vector<fs::path>& paths, Outputs& outputs, S
                          const RenderRequest& request, const ShownPicture& shown,
                          const ImageMetadata& metadata) {
     const Display display = requested_display(session, request);
-    const std::vector<Channel> channels = requested_channels(session, request);
+    const std::vector<Channel> channels = requested_channels(session, request, shown);
     const auto write = [&](const fs::path& path, const auto& write_to) {
         outputs.attempt([&] {
             write_to(path);
@@ -155,7 +175,7 @@ void write_picture_files(const std::vector<fs::path>& paths, Outputs& outputs, S
             if (is_exr(to)) return write_exr(to, exr_layers(shown, channels, request), metadata);
             write_png(to, straight_alpha(shown.picture), display, metadata);
         });
-        if (is_exr(path)) continue;
+        if (is_exr(path) || is_standard_output(path)) continue;
         for (const Channel& channel : channels)
             write(aov_path(path, channel.name),
                   [&](const fs::path& to) { write_png(to, channel.shown, {}, metadata); });

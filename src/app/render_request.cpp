@@ -8,6 +8,7 @@
 #include "core/log.h"
 #include "core/output.h"
 #include "gpu/device_list.h"
+#include "scene/light_groups.h"
 #include "scene/load.h"
 #include "scene/load_context.h"
 #include "upload/layout_choice.h"
@@ -69,11 +70,13 @@ void declare_picture(Command& command, RenderRequest& r) {
     command.option(
         "--aov", &r.aovs,
         "Further channels: in an .exr beside the picture's own, to OUTPUT.WORD.png of a\n"
-        ".png; docs/scene-format.md says what each holds",
+        ".png; docs/scene-format.md says what each holds (the scene's)",
         {.value = "WORD", .delimiter = ',', .words = aov_words()});
-    command.option("--clamp", &r.choices.clamp,
-                   "The most radiance of a sample: fewer specks, less light; says how much less",
-                   {.value = "RADIANCE"});
+    command.option(
+        "--clamp", &r.choices.clamp,
+        "The most radiance of a sample: fewer specks, less light; says how much less (the "
+        "scene's, else any)",
+        {.value = "RADIANCE"});
     declare_denoiser(command, r);
     declare_display(command, r);
     command.choice(
@@ -151,6 +154,34 @@ void declare_reports(Command& command, RenderRequest& r) {
     command.flag("--quiet", r.quiet, "Print warnings and errors only");
 }
 
+void check_named_once(const std::vector<std::string>& aovs, const char* by) {
+    for (auto aov = aovs.begin(); aov != aovs.end(); ++aov)
+        if (std::find(aovs.begin(), aov, *aov) != aov)
+            throw InputError("{} names {} twice; name it once", by, *aov);
+}
+
+IntegratorKind integrator_of(const RenderRequest& request, const RenderSettings& scene) {
+    return request.choices.integrator.value_or(scene.integrator.value_or(IntegratorKind::path));
+}
+
+/// Whether only path tracing has it.
+bool is_of_paths(const std::string& aov) {
+    const FilmChannel* channel = find_channel(aov);
+    return aov == LIGHT_GROUPS || (channel && channel->sums < AOV_COUNT);
+}
+
+/// What the denoiser is to be, if there is one. One that only the scene asks for is for path
+/// tracing alone.
+DenoiserOptions requested_denoiser(const RenderRequest& request, const RenderSettings& scene) {
+    const IntegratorKind integrator = integrator_of(request, scene);
+    DenoiserOptions options = request.denoiser;
+    const Denoiser own = scene.denoise.value_or(Denoiser::off);
+    const bool is_path = integrator == IntegratorKind::path;
+    options.denoiser = request.denoise.value_or(is_path ? own : Denoiser::off);
+    if (options.denoiser != Denoiser::off) check_denoisable(integrator);
+    return options;
+}
+
 /// Of a request's outputs: each can be written, and goes to a place of its own.
 class OutputCheck {
   public:
@@ -210,9 +241,11 @@ void declare_display(Command& command, RenderRequest& r) {
 }
 
 void declare_denoiser(Command& command, RenderRequest& r) {
-    command.choice_or_alone("--denoise", r.denoiser.denoiser, Denoiser::automatic,
-                            "Take the noise from the picture: by Open Image Denoise where its "
-                            "library is found,\nelse our own denoiser; alone it means auto (off)");
+    command.choice_or_alone(
+        "--denoise", r.denoise, Denoiser::automatic,
+        "Take the noise from the picture: by Open Image Denoise where its "
+        "library is found,\nelse our own denoiser; alone it means auto (the scene's, "
+        "else off)");
     command.option("--denoiser-library", &r.denoiser.library,
                    "libOpenImageDenoise.so.2, or a folder that has it (that of Python's pyoidn, or "
                    "the system's)",
@@ -295,9 +328,7 @@ void check_request(const RenderRequest& r) {
                          *r.choices.noise);
     if (r.choices.seconds && !(*r.choices.seconds > 0 && std::isfinite(*r.choices.seconds)))
         throw InputError("--time {} is not a positive number of seconds", *r.choices.seconds);
-    for (auto aov = r.aovs.begin(); aov != r.aovs.end(); ++aov)
-        if (std::find(r.aovs.begin(), aov, *aov) != aov)
-            throw InputError("--aov names {} twice; name it once", *aov);
+    check_named_once(r.aovs, "--aov");
     if (r.exposure && !(std::abs(*r.exposure) <= MOST_STOPS))
         throw InputError("--exposure {} is out of range; use {} to {} stops", *r.exposure,
                          -MOST_STOPS, MOST_STOPS);
@@ -353,20 +384,19 @@ Session open_session(Machine& machine, Scene scene, const RenderRequest& request
     choices.rectangle = requested_rectangle(request);
     choices.exposure = request.exposure;
     if (!request.size.empty()) std::tie(choices.width, choices.height) = parse_size(request.size);
-    for (const std::string& aov : request.aovs)
+    for (const std::string& aov : requested_aovs(request, scene)) {
         if (const FilmChannel* channel = find_channel(aov); channel && channel->sums < AOV_COUNT)
             choices.aovs |= 1u << channel->sums;
-    if (request.denoiser.denoiser != Denoiser::off) {
-        const IntegratorKind own = scene.settings.integrator.value_or(IntegratorKind::path);
-        check_denoisable(choices.integrator.value_or(own));
-        choices.aovs |= denoiser_aovs();
+        if (aov == LIGHT_GROUPS) choices.light_groups = true;
     }
+    const DenoiserOptions denoiser = requested_denoiser(request, scene.settings);
+    if (denoiser.denoiser != Denoiser::off) choices.aovs |= denoiser_aovs();
     const ResolvedOptions resolved = resolve_options(choices, scene, machine.device.facts());
     scene.notes.insert(scene.notes.end(), resolved.notes.begin(), resolved.notes.end());
     SessionOptions options{.render = resolved.options, .bvh = request.bvh};
     options.bvh.layout = request.layout.value_or(BvhLayout::wide);
     options.choose_layout = !request.layout;
-    options.denoiser = request.denoiser;
+    options.denoiser = denoiser;
     options.timed = request.stats || !request.json.empty();
     options.on_note = extras.on_note;
     options.further_features = extras.features;
@@ -374,10 +404,24 @@ Session open_session(Machine& machine, Scene scene, const RenderRequest& request
 }
 
 std::vector<std::string> aov_words() {
-    std::vector<std::string> words{TRAVERSAL_COST};
+    std::vector<std::string> words{TRAVERSAL_COST, LIGHT_GROUPS};
     for (const FilmChannel& channel : FILM_CHANNELS)
         if (channel.name != RADIANCE.name) words.emplace_back(channel.name);
     return words;
+}
+
+std::vector<std::string> requested_aovs(const RenderRequest& request, const Scene& scene) {
+    if (!request.aovs.empty() || !scene.settings.aov) return request.aovs;
+    const std::vector<std::string> words = aov_words();
+    for (const std::string& aov : *scene.settings.aov)
+        if (std::ranges::find(words, aov) == words.end())
+            throw InputError("{}: [render]: aov names {}, which is none; there are {}",
+                             request.scene.string(), aov, fmt::join(words, ", "));
+    check_named_once(*scene.settings.aov, "aov of [render]");
+    std::vector<std::string> aovs = *scene.settings.aov;
+    if (integrator_of(request, scene.settings) != IntegratorKind::path)
+        std::erase_if(aovs, is_of_paths);
+    return aovs;
 }
 
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name) {
@@ -403,27 +447,46 @@ std::vector<fs::path> named_outputs(const RenderRequest& request) {
     return outputs;
 }
 
+/// Files of AOVs are called so; each group of lights has one.
+static std::vector<std::string> companions_of(const std::vector<std::string>& aovs,
+                                              const Scene& scene) {
+    std::vector<std::string> names;
+    for (const std::string& aov : aovs) {
+        if (aov != LIGHT_GROUPS) names.push_back(aov);
+        if (aov == LIGHT_GROUPS)
+            for (const std::string& group : light_groups(scene))
+                names.push_back(group_layer(group));
+    }
+    return names;
+}
+
 /// These, what is written beside them, and the report.
 static std::vector<fs::path> all_outputs(const std::vector<fs::path>& outputs,
-                                         const RenderRequest& request) {
+                                         const RenderRequest& request,
+                                         const std::vector<std::string>& companions) {
     std::vector<fs::path> all = outputs;
     for (const fs::path& output : outputs)
-        if (!is_exr(output))
-            for (const std::string& aov : request.aovs) all.push_back(aov_path(output, aov));
+        if (!is_exr(output) && !is_standard_output(output))
+            for (const std::string& name : companions) all.push_back(aov_path(output, name));
     if (!request.json.empty()) all.push_back(request.json);
     return all;
 }
 
 void check_outputs(const std::vector<fs::path>& outputs, const RenderRequest& request) {
-    OutputCheck outputs_check;
-    for (const fs::path& path : all_outputs(outputs, request)) outputs_check.check(path);
+    OutputCheck check;
+    for (const fs::path& path : all_outputs(outputs, request, request.aovs)) check.check(path);
 }
 
 void check_outputs_not_read(const std::vector<fs::path>& outputs, const RenderRequest& request,
                             const Scene& scene) {
     std::vector<fs::path> files = scene.files;
     if (!request.environment.empty()) files.emplace_back(request.environment);
-    for (const fs::path& path : all_outputs(outputs, request)) check_not_read(path, files);
+    const std::vector<std::string> aovs = requested_aovs(request, scene);
+    OutputCheck check;
+    for (const fs::path& path : all_outputs(outputs, request, companions_of(aovs, scene))) {
+        check.check(path); // those that only the scene names too
+        check_not_read(path, files);
+    }
 }
 
 } // namespace onde::app

@@ -55,7 +55,8 @@ struct RenderRequest {
     std::optional<ToneMap> tone_map;
     Studio studio = Studio::automatic;
     GroundPlane ground = GroundPlane::automatic;
-    DenoiserOptions denoiser;
+    std::optional<Denoiser> denoise; ///< or as the scene says
+    DenoiserOptions denoiser;        ///< but for which
     ExrNames exr_names = ExrNames::plain;
     bool full_float = false;
     std::filesystem::path json;
@@ -117,9 +118,16 @@ struct SessionExtras {
 Session open_session(Machine& machine, Scene scene, const RenderRequest& request,
                      const SessionExtras& extras = {});
 
-/// What --aov can add: the traversal cost, and the channels of the film but the picture itself.
+/// What --aov can add: the traversal cost, light by groups, and the channels of the film but the
+/// picture itself.
 inline constexpr const char* TRAVERSAL_COST = "traversal-cost";
+inline constexpr const char* LIGHT_GROUPS = "light-groups";
 std::vector<std::string> aov_words();
+
+/// Those that are asked for, by the request or else by the scene. Throws InputError for words of
+/// the scene that are none, or are there twice; those that its integrator does not have are left
+/// out.
+std::vector<std::string> requested_aovs(const RenderRequest& request, const Scene& scene);
 
 /// Where a picture's companion of that name goes: out.png's "a" to out.a.png.
 std::filesystem::path aov_path(const std::filesystem::path& output, const std::string& name);

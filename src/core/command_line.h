@@ -80,7 +80,7 @@ class Command {
     /// the words is not its value. An option has the same words in every command.
     template <class Enum>
     requires WordedEnum<Enum>
-    void choice_or_alone(const std::string& name, Enum& field, Enum alone,
+    void choice_or_alone(const std::string& name, std::optional<Enum>& field, Enum alone,
                          const std::string& help) {
         choice(name, field, help);
         const std::vector<std::string_view> words = all_words<Enum>();

@@ -46,7 +46,7 @@ FilmRange RankWork::range(const StoreKey& node) const {
 }
 
 size_t RankWork::sum_count(const StoreKey& node) const {
-    return plan_.window(node.tile).pixels() * film_planes(plan_.header.identity.aovs);
+    return plan_.window(node.tile).pixels() * plan_.header.identity.planes().count();
 }
 
 /// The node of an earlier job's that has the unit.
@@ -124,7 +124,7 @@ void RankWork::save(const StoreKey& node, const FilmSums& sums) const {
 /// Rows of a window into sums of the whole picture.
 static void paint(const FilmSums& rows, const Rectangle& window, const FilmContents& film,
                   FilmSums& sums) {
-    const uint32_t planes = film_planes(film.aovs);
+    const uint32_t planes = film.planes.count();
     for (uint32_t y = 0; y < window.height; y++)
         for (uint32_t plane = 0; plane < planes; plane++) {
             const size_t from = (size_t(y) * planes + plane) * window.width;
@@ -136,7 +136,7 @@ static void paint(const FilmSums& rows, const Rectangle& window, const FilmConte
 /// The sums of every pixel of a node that nothing joins further, at rank 0.
 FilmSums RankWork::gather(const FilmNode& node, const FilmContents& film) {
     FilmSums sums;
-    if (ranks_.rank() == 0) sums.resize(size_t(film_planes(film.aovs)) * film.width * film.height);
+    if (ranks_.rank() == 0) sums.resize(size_t(film.planes.count()) * film.width * film.height);
     for (uint32_t tile = 0; tile < plan_.tiles(); tile++) {
         const StoreKey key{tile, node.level, node.index};
         const uint32_t from = owner(key);
@@ -156,14 +156,14 @@ KeptFilm RankWork::gather() {
     FilmContents& contents = film.contents;
     contents.width = identity.width;
     contents.height = identity.height;
-    contents.aovs = identity.aovs;
+    contents.planes = identity.planes();
     contents.extent.end = samples;
     for (const FilmNode& node : cover(0, blocks))
         contents.parts.push_back({node, gather(node, contents)});
     if (samples % FILM_BLOCK != 0)
         contents.block = gather({0, blocks}, contents);
     else
-        contents.block.resize(size_t(film_planes(contents.aovs)) * contents.width *
+        contents.block.resize(size_t(contents.planes.count()) * contents.width *
                               contents.height);
     return film;
 }

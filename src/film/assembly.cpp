@@ -8,7 +8,7 @@ namespace {
 /// Copies the pixels of a rectangle, plane by plane.
 void copy_pixels(const FilmContents& film, const Rectangle& part, const FilmSums& from,
                  FilmSums& to) {
-    for (uint32_t plane = 0; plane < film_planes(film.aovs); plane++)
+    for (uint32_t plane = 0; plane < film.planes.count(); plane++)
         for (uint32_t y = part.y; y < part.end_y(); y++) {
             const auto first = ptrdiff_t((size_t(plane) * film.height + y) * film.width + part.x);
             std::copy_n(from.begin() + first, part.width, to.begin() + first);

@@ -34,6 +34,11 @@ FilmRange range_of(const FilmNode& node, const Rectangle& window);
 /// "samples 64 to 127 of 320x240 pixels from 0,0"
 std::string words_of(const FilmRange& range);
 
+/// The channels of films of that identity.
+inline PlaneChannels channels_of(const FilmIdentity& identity) {
+    return {identity.aovs, identity.light_groups};
+}
+
 /// A sum of every plane's pixel of a row of some pixels, plane after plane.
 using FilmRow = std::vector<cl_float4>;
 

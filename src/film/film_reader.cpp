@@ -59,7 +59,7 @@ FilmRange read_range(const std::filesystem::path& path, const ExrPart& part) {
 
 FilmReader::FilmReader(const std::filesystem::path& path)
     : path_(path), file_(path), header_(read_header(path, file_)),
-      channels_(header_.identity.aovs) {
+      channels_(channels_of(header_.identity)) {
     if (file_.width() != header_.identity.width || file_.height() != header_.identity.height)
         throw_damaged(path, "its picture has two sizes");
     for (const ExrPart& part : file_.parts()) {

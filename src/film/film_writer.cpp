@@ -9,7 +9,7 @@ namespace {
 const std::string NO_CHECKSUM(16, '0');
 
 std::vector<ExrPart> make_parts(const FilmHeader& header, const std::vector<FilmRange>& ranges) {
-    const std::vector<ExrChannel> channels = PlaneChannels(header.identity.aovs).channels();
+    const std::vector<ExrChannel> channels = channels_of(header.identity).channels();
     std::vector<ExrPart> parts;
     for (const FilmRange& range : ranges) {
         ExrPart part{.name = words_of(range),
@@ -43,7 +43,7 @@ std::vector<Hasher> begin_hashes(const std::vector<ExrPart>& parts) {
 
 FilmWriter::FilmWriter(const std::filesystem::path& path, const FilmHeader& header,
                        std::vector<FilmRange> parts)
-    : channels_(header.identity.aovs), ranges_(std::move(parts)),
+    : channels_(channels_of(header.identity)), ranges_(std::move(parts)),
       parts_(make_parts(header, ranges_)), hashes_(begin_hashes(parts_)), out_(path),
       file_(out_, header.identity.width, header.identity.height, parts_) {}
 

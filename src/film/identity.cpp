@@ -3,9 +3,14 @@
 #include "core/error.h"
 #include "film/planes.h"
 #include "gpu/device.h"
+#include "scene/light_groups.h"
 #include "scene/load.h"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <charconv>
+#include <sstream>
 
 namespace onde {
 namespace {
@@ -28,6 +33,9 @@ std::string text_of(uint32_t value) {
 }
 std::string text_of(float value) {
     return fmt::format("{}", value); // the shortest that is read as the same number
+}
+std::string text_of(const std::vector<std::string>& values) {
+    return fmt::format("{}", fmt::join(values, ","));
 }
 std::string text_of(bool value) {
     return value ? "true" : "false";
@@ -58,6 +66,14 @@ class Texts {
         value = text(key) == "true";
         if (!value && text(key) != "false") throw_meaningless(key, text(key));
     }
+    /// Names of groups of lights, each another.
+    void read(const std::string& key, std::vector<std::string>& values) const {
+        std::istringstream all(text(key));
+        for (std::string name; std::getline(all, name, ','); values.push_back(name))
+            if (name.empty() || !why_no_group(name).empty() || std::ranges::count(values, name) > 0)
+                throw_meaningless(key, text(key));
+        if (values.size() > MOST_LIGHT_GROUPS + 1) throw_meaningless(key, text(key));
+    }
     template <WordedEnum Enum>
     void read(const std::string& key, Enum& value) const {
         const std::optional<Enum> known = value_of<Enum>(text(key));
@@ -87,8 +103,9 @@ FilmIdentity film_identity(const Scene& scene, const RenderOptions& options,
                            const BvhOptions& bvh) {
     return {scene_hash(scene),  options.camera,         options.width, options.height,
             options.depth,      options.roulette_start, options.seed,  options.filter,
-            options.integrator, options.background,     options.aovs,  options.clamp,
-            options.noise,      options.noise_exposure, bvh.watertight};
+            options.integrator, options.background,     options.aovs,  options.light_groups,
+            options.clamp,      options.noise,          options.noise_exposure,
+            bvh.watertight};
 }
 
 std::string device_class(const gpu::DeviceFacts& facts) {

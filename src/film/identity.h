@@ -20,8 +20,11 @@ struct FilmIdentity {
     IntegratorKind integrator;
     Background background;
     uint32_t aovs;
+    std::vector<std::string> light_groups; ///< of which the film has the light, or empty
     float clamp, noise, noise_exposure;
     bool watertight;
+
+    FilmPlanes planes() const { return {aovs, uint32_t(light_groups.size())}; }
 };
 
 constexpr auto fields_of(TypeTag<FilmIdentity>) {
@@ -40,6 +43,7 @@ constexpr auto fields_of(TypeTag<FilmIdentity>) {
                       field_without_key(&I::noise, "noise"),
                       field_without_key(&I::noise_exposure, "exposure of noise"),
                       field_without_key(&I::aovs, "set of AOVs"),
+                      field_without_key(&I::light_groups, "list of light groups"),
                       field_without_key(&I::watertight, "triangle test")};
 }
 

@@ -35,7 +35,7 @@ Pieces pieces_of(const KeptFilm& film) {
 /// Calls row(y, sums) with the window's pixels of a film's sums, plane after plane.
 template <class Row>
 void for_each_row(const KeptFilm& film, const FilmSums& sums, const Row& row) {
-    const uint32_t width = film.contents.width, planes = film_planes(film.contents.aovs);
+    const uint32_t width = film.contents.width, planes = film.contents.planes.count();
     FilmRow pixels(size_t(planes) * film.window.width);
     for (uint32_t y = film.window.y; y < film.window.end_y(); y++) {
         for (uint32_t plane = 0; plane < planes; plane++) {
@@ -48,7 +48,7 @@ void for_each_row(const KeptFilm& film, const FilmSums& sums, const Row& row) {
 }
 
 FilmSums read_sums(FilmReader& file, size_t part, const KeptFilm& film) {
-    const uint32_t width = film.contents.width, planes = film_planes(film.contents.aovs);
+    const uint32_t width = film.contents.width, planes = film.contents.planes.count();
     FilmSums sums(size_t(planes) * film.contents.height * width);
     FilmRow pixels;
     for (uint32_t y = film.window.y; y < film.window.end_y(); y++) {
@@ -101,7 +101,7 @@ KeptFilm read_film(const std::filesystem::path& path, const FilmHeader& wanted) 
     FilmContents& contents = film.contents;
     contents.width = wanted.identity.width;
     contents.height = wanted.identity.height;
-    contents.aovs = wanted.identity.aovs;
+    contents.planes = wanted.identity.planes();
     contents.extent.begin = file.parts()[order.front()].first;
     for (const size_t part : order) {
         const FilmRange& range = file.parts()[part];
@@ -116,8 +116,7 @@ KeptFilm read_film(const std::filesystem::path& path, const FilmHeader& wanted) 
         contents.extent.pixels = range.pass_pixels;
     }
     if (contents.block.empty())
-        contents.block.resize(size_t(film_planes(contents.aovs)) * contents.height *
-                              contents.width);
+        contents.block.resize(size_t(contents.planes.count()) * contents.height * contents.width);
     return film;
 }
 

@@ -98,7 +98,7 @@ double FilmMerge::samples() {
 
 uint32_t FilmMerge::band_rows(uint32_t width) const {
     constexpr size_t BAND = size_t(8) << 20;
-    const size_t row = sizeof(cl_float4) * width * film_planes(header_.identity.aovs);
+    const size_t row = sizeof(cl_float4) * width * header_.identity.planes().count();
     return uint32_t(std::max<size_t>(1, BAND / row));
 }
 
@@ -118,7 +118,7 @@ void FilmMerge::paint(const Source& source, const Rectangle& band, FilmSums& sum
     FilmRow row;
     for (uint32_t y = both.y; y < both.end_y(); y++) {
         file.read_row(source.part, y, row);
-        for (uint32_t plane = 0; plane < film_planes(header_.identity.aovs); plane++) {
+        for (uint32_t plane = 0; plane < header_.identity.planes().count(); plane++) {
             const size_t to = (size_t(plane) * band.height + y - band.y) * band.width;
             const size_t from = size_t(plane) * source.range.window.width;
             std::copy_n(row.begin() + ptrdiff_t(from + both.x - source.range.window.x), both.width,
@@ -141,7 +141,7 @@ FilmSums FilmMerge::sum(FilmNode node, const Sources& sources, const Rectangle& 
             return sum(halves[half], below[half], band);
     FilmSums sums;
     if (below[1].empty())
-        sums.resize(band.pixels() * film_planes(header_.identity.aovs));
+        sums.resize(band.pixels() * header_.identity.planes().count());
     else
         sums = sum(halves[1], below[1], band);
     if (!below[0].empty()) add_sums(sums, sum(halves[0], below[0], band));
@@ -154,7 +154,7 @@ void FilmMerge::write(const std::filesystem::path& path) {
         if (source.range.pass > 0)
             throw InputError("{}: was interrupted within {}; go on with it by --resume first",
                              files_[source.file].string(), words_of(source.range));
-    const uint32_t planes = film_planes(header_.identity.aovs);
+    const uint32_t planes = header_.identity.planes().count();
     FilmWriter file(path, header_, joined_);
     for (size_t part = 0; part < joined_.size(); part++) {
         const FilmRange& range = joined_[part];
@@ -185,7 +185,7 @@ std::vector<Image> FilmMerge::develop(const std::vector<FilmChannel>& channels) 
         const FilmSums sums = sum(ROOT, sources, band);
         for (size_t i = 0; i < channels.size(); i++) {
             const Image rows =
-                develop_sums(sums, band.width, band.height, identity.aovs, channels[i]);
+                develop_sums(sums, band.width, band.height, identity.planes(), channels[i]);
             const size_t first = size_t(band.y) * band.width * rows.channels;
             std::ranges::copy(rows.pixels, images[i].pixels.begin() + ptrdiff_t(first));
         }

@@ -36,6 +36,10 @@ std::string component_name(uint32_t component, uint32_t components) {
 
 } // namespace
 
+std::string group_layer(const std::string& group) {
+    return std::string(GROUP_PREFIX) + group;
+}
+
 std::string aov_words_of(uint32_t aovs) {
     std::string words;
     for (const Plane& plane : planes_of(aovs))
@@ -55,13 +59,18 @@ std::optional<uint32_t> aovs_of(const std::string& words) {
     return aovs;
 }
 
-PlaneChannels::PlaneChannels(uint32_t aovs) : planes_(film_planes(aovs)) {
-    for (const Plane& plane : planes_of(aovs)) {
+PlaneChannels::PlaneChannels(uint32_t aovs, const std::vector<std::string>& groups) {
+    const FilmPlanes film{aovs, uint32_t(groups.size())};
+    planes_ = film.count();
+    std::vector<Plane> planes = planes_of(aovs);
+    for (const std::string& group : groups)
+        planes.push_back({group_layer(group), GROUP_SUMS + uint32_t(&group - groups.data()), 3});
+    for (const Plane& plane : planes) {
         std::vector<uint32_t> components{COUNT};
         for (uint32_t k = 0; k < plane.components; k++) components.push_back(k);
         for (const uint32_t k : components)
             places_.push_back({{plane.name + "." + component_name(k, plane.components), k != COUNT},
-                               film_plane(aovs, plane.sums),
+                               film.plane(plane.sums),
                                k});
     }
     std::ranges::sort(places_, {}, [](const Place& place) { return place.channel.name; });

@@ -7,9 +7,14 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace onde {
+
+/// What the light of a group of lights is called.
+inline constexpr std::string_view GROUP_PREFIX = "group.";
+std::string group_layer(const std::string& group);
 
 /// The AOVs of a film by name, as "albedo,normal", and back; nothing where a name is none.
 std::string aov_words_of(uint32_t aovs);
@@ -19,7 +24,7 @@ std::optional<uint32_t> aovs_of(const std::string& words);
 /// float4. In the order of their names, as files have them.
 class PlaneChannels {
   public:
-    explicit PlaneChannels(uint32_t aovs);
+    PlaneChannels(uint32_t aovs, const std::vector<std::string>& groups);
 
     std::vector<ExrChannel> channels() const;
     uint32_t planes() const { return planes_; }

@@ -62,6 +62,7 @@ gpu::Program build_engine(const EngineContext& context, const EstimatorShape& es
     request.defines.push_back(
         fmt::format("ONDE_INTERLEAVE={:d}", context.scene.bvh_bytes() > settings.interleave_above));
     request.defines.push_back(fmt::format("ONDE_AOVS={}", options.aovs));
+    request.defines.push_back(fmt::format("ONDE_GROUPS={}", options.light_groups.size()));
     request.defines.push_back(
         fmt::format("ONDE_BACKGROUND={:d}", options.background == Background::environment));
     request.defines.insert(request.defines.end(), estimator.defines.begin(),

@@ -5,16 +5,17 @@
 
 namespace onde {
 
-PathEstimator::PathEstimator(uint32_t aovs)
+PathEstimator::PathEstimator(const RenderOptions& options)
     : shape_{.file = "path/estimator.h",
              .defines = {},
              .state_columns = COLUMN_COUNT(PATH_COLUMNS),
              .connection_columns = COLUMN_COUNT(CONNECTION_COLUMNS)} {
-    if (aovs >> AOV_UV & 1) shape_.defines.emplace_back("ONDE_UV=1");
-    if ((aovs & (GUIDE_AOVS | LIGHT_AOVS)) == 0) return;
+    if (options.aovs >> AOV_UV & 1) shape_.defines.emplace_back("ONDE_UV=1");
+    if (!options.light_groups.empty()) shape_.connection_columns += COLUMN_COUNT(TARGET_COLUMNS);
+    if ((options.aovs & (GUIDE_AOVS | LIGHT_AOVS)) == 0) return;
     shape_.defines.emplace_back("ONDE_TRAIL=1");
     shape_.state_columns = COLUMN_COUNT(TRAILED_PATH_COLUMNS);
-    shape_.connection_columns = COLUMN_COUNT(SHARED_CONNECTION_COLUMNS);
+    shape_.connection_columns += COLUMN_COUNT(SHARE_COLUMNS);
 }
 
 } // namespace onde

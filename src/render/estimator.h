@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/program.h"
+#include "render/options.h"
 
 #include <cstdint>
 #include <string>
@@ -31,11 +32,11 @@ class Estimator {
     virtual void clear(const gpu::Device&) {}
 };
 
-/// The path tracer, which has no buffers of its own. Of AOVs of light and guides, by their bits,
-/// paths know more about what came before.
+/// The path tracer, which has no buffers of its own. Where the film has AOVs of light and guides,
+/// paths know more about what came before; where it has groups of lights, connections know theirs.
 class PathEstimator : public Estimator {
   public:
-    explicit PathEstimator(uint32_t aovs);
+    explicit PathEstimator(const RenderOptions& options);
     const EstimatorShape& shape() const override { return shape_; }
     uint32_t bind(gpu::Kernel&, uint32_t first) const override { return first; }
 

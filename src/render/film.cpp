@@ -27,8 +27,12 @@ size_t pending_levels(const RenderOptions& options) {
     return size_t(std::bit_width((options.samples - 1 - options.first_sample) / FILM_BLOCK));
 }
 
+FilmPlanes planes_of(const RenderOptions& options) {
+    return {options.aovs, uint32_t(options.light_groups.size())};
+}
+
 Film::Sums make_sums(gpu::BufferList& buffers, const RenderOptions& options) {
-    const size_t count = size_t(options.width) * options.height * film_planes(options.aovs);
+    const size_t count = size_t(options.width) * options.height * planes_of(options).count();
     Film::Sums sums;
     sums.block = buffers.add<cl_float4>("film sums", count);
     for (size_t level = 0; level < pending_levels(options); level++)
@@ -46,7 +50,7 @@ void plan_film(gpu::BufferList& buffers, const RenderOptions& options) {
 
 Film::Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOptions& options)
     : programs_(programs), device_(programs.device()), width_(options.width),
-      height_(options.height), aovs_(options.aovs), first_sample_(options.first_sample),
+      height_(options.height), first_sample_(options.first_sample), planes_(planes_of(options)),
       sums_(make_sums(buffers, options)),
       invalid_(buffers.add<uint32_t>("invalid samples", INVALID_SIZE)),
       pass_pixels_(width_ * height_) {
@@ -144,7 +148,7 @@ FilmSums Film::join(bool with_block, uint32_t plane, uint32_t planes) const {
 FilmSums Film::whole_blocks(uint32_t sums) const {
     const bool is_full = is_block_full();
     if (!is_full && nodes().empty()) return FilmSums(pixels(), cl_float4{});
-    return join(is_full, film_plane(aovs_, sums), 1);
+    return join(is_full, planes_.plane(sums), 1);
 }
 
 void add_sums(FilmSums& sums, const FilmSums& more) {
@@ -167,7 +171,7 @@ const FilmChannel* find_channel(std::string_view name) {
 }
 
 bool Film::has(const FilmChannel& channel) const {
-    return channel.sums == RADIANCE_SUMS || (aovs_ >> channel.sums & 1) != 0;
+    return planes_.has(channel.sums);
 }
 
 /// The light that a scene keeps from the ground is estimated: of few samples, more than there is.
@@ -190,15 +194,25 @@ static float variance_of_mean(float sum, float squares, float samples) {
 }
 
 Image Film::develop(const FilmChannel& channel) const {
-    if (!has(channel))
-        throw InputError("the film has no {}; ask for it before rendering", channel.name);
-    return develop_sums(join(true, 0, film_planes(aovs_)), width_, height_, aovs_, channel);
+    return std::move(develop(std::span(&channel, 1)).front());
 }
 
-Image develop_sums(const FilmSums& all, uint32_t width, uint32_t height, uint32_t aovs,
+std::vector<Image> Film::develop(std::span<const FilmChannel> channels) const {
+    for (const FilmChannel& channel : channels)
+        if (!has(channel))
+            throw InputError("the film has no {}; ask for it before rendering", channel.name);
+    std::vector<Image> images;
+    if (channels.empty()) return images;
+    const FilmSums sums = join(true, 0, planes_.count());
+    for (const FilmChannel& channel : channels)
+        images.push_back(develop_sums(sums, width_, height_, planes_, channel));
+    return images;
+}
+
+Image develop_sums(const FilmSums& all, uint32_t width, uint32_t height, const FilmPlanes& planes,
                    const FilmChannel& channel) {
     const size_t pixels = size_t(width) * height;
-    const std::span sums = std::span(all).subspan(film_plane(aovs, channel.sums) * pixels, pixels);
+    const std::span sums = std::span(all).subspan(planes.plane(channel.sums) * pixels, pixels);
     if (channel.develop == Develop::error)
         return standard_error({width, height, std::span(all).first(pixels), sums});
     Image image(width, height, channel.components());
@@ -221,10 +235,10 @@ void Film::clear() {
 }
 
 FilmContents Film::contents() const {
-    FilmContents contents{width_, height_, aovs_, extent_, {}, sums_.block.read(device_), {}};
+    FilmContents contents{width_, height_, planes_, extent_, {}, sums_.block.read(device_), {}};
     contents.splats = splats_.read(device_);
     for (const FilmNode& node : nodes())
-        contents.parts.push_back({node, read(node, 0, film_planes(aovs_))});
+        contents.parts.push_back({node, read(node, 0, planes_.count())});
     if (is_splatted() || !is_block_full()) return contents;
     add_part(contents.parts, {{0, block_}, std::move(contents.block)});
     contents.block.assign(sum_count(), cl_float4{});
@@ -242,7 +256,7 @@ void Film::put(const FilmPart& part) {
 }
 
 void Film::restore(const FilmContents& contents) {
-    if (contents.width != width_ || contents.height != height_ || contents.aovs != aovs_ ||
+    if (contents.width != width_ || contents.height != height_ || contents.planes != planes_ ||
         contents.splats.size() != splats_.size())
         throw InputError("a film of {}x{} pixels can't go on with one of {}x{}, or of another kind",
                          width_, height_, contents.width, contents.height);

@@ -22,6 +22,7 @@
 #include "render/options.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace onde {
@@ -31,8 +32,9 @@ void plan_film(gpu::BufferList& buffers, const RenderOptions& options);
 
 class Film {
   public:
-    /// An empty film with options.aovs, from options.first_sample on. It may get more samples than
-    /// the options say; the buffers for those are in no list. The programs outlive it.
+    /// An empty film with options.aovs and options.light_groups, from options.first_sample on. It
+    /// may get more samples than the options say; the buffers for those are in no list. The
+    /// programs outlive it.
     Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOptions& options);
 
     /// From now on the film is what the integrator makes of these sums at the end of each pass.
@@ -59,6 +61,9 @@ class Film {
     /// Whether it has that channel, and its picture: pixels without a sample are black.
     bool has(const FilmChannel& channel) const;
     Image develop(const FilmChannel& channel = RADIANCE) const;
+    /// The same of several, faster than one by one.
+    std::vector<Image> develop(std::span<const FilmChannel> channels) const;
+    const FilmPlanes& planes() const { return planes_; }
     /// The sums of an AOV, or of RADIANCE_SUMS, over all blocks of 64 samples that are whole.
     FilmSums whole_blocks(uint32_t sums) const;
 
@@ -83,7 +88,7 @@ class Film {
 
   private:
     uint32_t pixels() const { return width_ * height_; }
-    uint32_t sum_count() const { return pixels() * film_planes(aovs_); }
+    uint32_t sum_count() const { return pixels() * planes_.count(); }
     bool is_splatted() const { return splats_.size() > 0; }
     void build();
     void carry();
@@ -102,7 +107,8 @@ class Film {
 
     gpu::Programs& programs_;
     const gpu::Device& device_;
-    uint32_t width_, height_, aovs_, first_sample_;
+    uint32_t width_, height_, first_sample_;
+    FilmPlanes planes_;
     Sums sums_;
     gpu::Buffer<uint32_t> invalid_, splats_;
     FilmExtent extent_;

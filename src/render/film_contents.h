@@ -35,14 +35,16 @@ enum class Develop {
     error,    ///< the standard error of radiance, from the sum of halves (render/noise.h)
 };
 
-/// The float4 sums that radiance has; the AOVs of shared/aovs.h have others.
+/// The float4 sums that radiance has; the AOVs of shared/aovs.h have others. Behind it come those
+/// of groups of lights.
 inline constexpr uint32_t RADIANCE_SUMS = AOV_COUNT;
+inline constexpr uint32_t GROUP_SUMS = RADIANCE_SUMS + 1;
 
 /// A quantity that a film has of every pixel: some components of float4 sums.
 struct FilmChannel {
     std::string_view name;    ///< for people and files
     std::string_view letters; ///< one for each component
-    uint32_t sums;            ///< number of the AOV, or RADIANCE_SUMS
+    uint32_t sums;            ///< number of the AOV, RADIANCE_SUMS, or GROUP_SUMS and a group's
     uint32_t first;           ///< of the sums' components
     Develop develop;
 
@@ -66,19 +68,36 @@ inline constexpr FilmChannel FILM_CHANNELS[] = {RADIANCE, SAMPLE_COUNT, AOVS(OND
 /// That of the name, or null.
 const FilmChannel* find_channel(std::string_view name);
 
-/// Planes of a film with the AOVs of these bits, and the place of one among them.
-constexpr uint32_t film_planes(uint32_t aovs) {
-    return 1 + uint32_t(std::popcount(aovs));
-}
-constexpr uint32_t film_plane(uint32_t aovs, uint32_t sums) {
-    return sums == RADIANCE_SUMS ? 0 : 1 + uint32_t(std::popcount(aovs & ((1u << sums) - 1)));
+/// The light of a group, which outlives what is returned; `number` is its place among the film's.
+constexpr FilmChannel group_channel(std::string_view name, size_t number) {
+    return {name, "RGB", GROUP_SUMS + uint32_t(number), 0, Develop::mean};
 }
 
-/// Sums of every pixel, by (plane * height + y) * width + x: of radiance, then of each AOV.
+/// What a film has of each pixel: float4 sums of radiance, of each AOV, of each group of lights.
+struct FilmPlanes {
+    uint32_t aovs = 0; ///< bits of their numbers
+    uint32_t groups = 0;
+
+    constexpr uint32_t first_group() const { return 1 + uint32_t(std::popcount(aovs)); }
+    constexpr uint32_t count() const { return first_group() + groups; }
+    constexpr bool has(uint32_t sums) const {
+        if (sums >= GROUP_SUMS) return sums - GROUP_SUMS < groups;
+        return sums == RADIANCE_SUMS || (aovs >> sums & 1) != 0;
+    }
+    /// The place of those sums, which it has.
+    constexpr uint32_t plane(uint32_t sums) const {
+        if (sums >= GROUP_SUMS) return first_group() + sums - GROUP_SUMS;
+        return sums == RADIANCE_SUMS ? 0 : 1 + uint32_t(std::popcount(aovs & ((1u << sums) - 1)));
+    }
+    bool operator==(const FilmPlanes&) const = default;
+};
+
+/// Sums of every pixel, by (plane * height + y) * width + x.
 using FilmSums = std::vector<cl_float4>;
 
-/// The picture of a channel from sums of a film with these AOVs; pixels without a sample are black.
-Image develop_sums(const FilmSums& sums, uint32_t width, uint32_t height, uint32_t aovs,
+/// The picture of a channel from sums of a film with these planes; pixels without a sample are
+/// black.
+Image develop_sums(const FilmSums& sums, uint32_t width, uint32_t height, const FilmPlanes& planes,
                    const FilmChannel& channel);
 
 /// Adds them to `sums`, one by one.
@@ -96,7 +115,7 @@ void add_part(std::vector<FilmPart>& parts, FilmPart part);
 /// Enough to go on with a film on any device. Films of the same samples have equal contents.
 struct FilmContents {
     uint32_t width = 0, height = 0;
-    uint32_t aovs = 0; ///< bits of their numbers
+    FilmPlanes planes;
     FilmExtent extent;
     std::vector<FilmPart> parts;  ///< cover() of its whole blocks
     FilmSums block;               ///< of the samples behind them; zeros where there are none

@@ -111,6 +111,7 @@ FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
     frame.roulette_start = options.roulette_start;
     frame.light_count = uint32_t(scene.lights.size());
     frame.environment_light = scene.environment_light;
+    frame.environment_group = scene.environment_group;
     frame.environment_width = scene.environment_width;
     frame.environment_height = scene.environment_height;
     copy(frame.environment_radiance, scene.environment_radiance);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace onde {
 
@@ -42,6 +43,8 @@ struct RenderOptions {
     Background background = Background::environment; ///< transparent: aovs has alpha
     float clamp = 0;   ///< the most radiance of a sample, whose aovs then has clamped; 0: any
     uint32_t aovs = 0; ///< that the film has beside radiance, by the bits of shared/aovs.h
+    std::vector<std::string> light_groups{}; ///< light_groups() of the scene if the film has the
+                                             ///< light of each by itself, else empty
     gpu::DeviceSettings settings;
     uint32_t samples_in_flight = 16; ///< the most of one pixel in one wave; a power of two
 

@@ -19,10 +19,12 @@ uint32_t work_columns(const EstimatorShape& estimator) {
     return 1 + COLUMN_COUNT(HIT_COLUMNS) + estimator.connection_columns;
 }
 
-/// Radiance of every path, then the AOVs that are more than functions of it, as columns.
+/// Radiance of every path, then the AOVs that are more than functions of it and groups of lights,
+/// as columns.
 size_t sum_count(const RenderOptions& options, size_t stride) {
     const uint32_t stored = options.aovs & ~SAMPLE_AOVS;
-    return options.settings.wave_size + size_t(std::popcount(stored)) * stride;
+    const size_t columns = size_t(std::popcount(stored)) + options.light_groups.size();
+    return options.settings.wave_size + columns * stride;
 }
 
 } // namespace

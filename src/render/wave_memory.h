@@ -12,8 +12,8 @@ namespace onde {
 
 class WaveMemory {
   public:
-    /// For settings.wave_size paths of the estimator, with options.aovs. Staged launches have a
-    /// second copy of the state, and a queue.
+    /// For settings.wave_size paths of the estimator, with what options say of their film.
+    /// Staged launches have a second copy of the state, and a queue.
     WaveMemory(gpu::BufferList& list, const EstimatorShape& estimator,
                const RenderOptions& options);
 

@@ -1,6 +1,7 @@
 #include "scene/check.h"
 
 #include "core/error.h"
+#include "scene/light_groups.h"
 #include "scene/load.h"
 
 #include <algorithm>
@@ -68,6 +69,8 @@ std::string problem(const Scene&, const FieldRules& rules, float value) {
 
 std::string problem(const Scene& scene, const FieldRules& rules, uint32_t value) {
     if (rules.form == Form::material && value >= scene.materials.size()) return "does not exist";
+    if (rules.form == Form::name)
+        return value == NO_NAME || value < scene.names.size() ? "" : "does not exist";
     return rules.range.contains(value) ? "" : why_not_in(rules.range, value);
 }
 
@@ -89,10 +92,15 @@ std::string problem(const Scene&, const FieldRules&, const glm::mat4& m) {
     return finite(m) ? "" : "must be finite";
 }
 
-/// Any text, switch and enum is right; maps are checked by themselves.
+std::string problem(const Scene&, const FieldRules& rules, const std::string& text) {
+    return rules.form == Form::group ? why_no_group(text) : "";
+}
+
+/// Any list of texts, switch and enum is right; maps are checked by themselves.
 template <class T>
-requires(std::is_enum_v<T> || std::is_same_v<T, bool> || std::is_same_v<T, std::string> ||
-         std::is_same_v<T, Image>) std::string problem(const Scene&, const FieldRules&, const T&) {
+requires(std::is_enum_v<T> || std::is_same_v<T, bool> ||
+         std::is_same_v<T, std::vector<std::string>> || std::is_same_v<T, Image>) std::string
+    problem(const Scene&, const FieldRules&, const T&) {
     return "";
 }
 
@@ -174,6 +182,7 @@ void check_instance(const Scene& scene, size_t i) {
     const Instance& instance = scene.instances[i];
     require(instance.mesh < scene.meshes.size(), "instance", i, "",
             "it names a mesh that does not exist");
+    check_fields(scene, instance, "instance", i);
     check_transform(instance.object_to_world, "instance", i);
 }
 
@@ -265,6 +274,7 @@ void check_scene(const Scene& scene) {
     for (size_t i = 0; i < scene.shapes.size(); ++i) check_shape(scene, i);
     check_lights(scene);
     check_environment(scene);
+    light_groups(scene); // not too many
     for (size_t i = 0; i < scene.cameras.size(); ++i) check_camera(scene.cameras[i], i);
     const std::string text = problem(scene, {}, scene.settings);
     if (!text.empty()) throw InputError("render settings: their {}", text);

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <string>
+#include <vector>
 
 namespace onde {
 
@@ -21,6 +22,11 @@ inline std::string value_text(uint32_t value) {
 }
 inline std::string value_text(const std::string& value) {
     return fmt::format("\"{}\"", value);
+}
+inline std::string value_text(const std::vector<std::string>& values) {
+    std::string text;
+    for (const std::string& value : values) text += (text.empty() ? "" : ", ") + value_text(value);
+    return "[" + text + "]";
 }
 inline std::string value_text(const glm::vec2& v) {
     return fmt::format("[{}, {}]", v.x, v.y);

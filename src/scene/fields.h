@@ -53,6 +53,8 @@ enum class Form {
     srgb_texture,   ///< in files an image; the member is an index, or NO_TEXTURE
     linear_texture, ///< the same for data
     material,       ///< an index of a material
+    group,          ///< the name of a group of lights, or empty
+    name,           ///< an index of a name, or NO_NAME
 };
 
 constexpr bool is_texture(Form form) {
@@ -66,6 +68,13 @@ struct FieldRules {
     std::string_view alias = {};  ///< another name of the key
     std::string_view absent = {}; ///< what an absent key means, if not the initial value
 };
+
+/// Of what has no name.
+inline constexpr uint32_t NO_NAME = 0xffffffff;
+
+/// The key of whatever shines.
+inline constexpr std::string_view GROUP_MEANING = "of its light, for `--aov light-groups`";
+inline constexpr FieldRules GROUP_RULES{.form = Form::group, .absent = "none: the others"};
 
 /// A member. Without a key, files can't give it directly; `meaning` is its name then.
 template <class Owner, class Value, bool HAS_KEY>

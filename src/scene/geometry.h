@@ -34,15 +34,22 @@ inline const std::vector<glm::vec2>& uv_set(const Mesh& mesh, uint32_t set) {
     return set <= mesh.more_uvs.size() ? mesh.more_uvs[set - 1] : NONE;
 }
 
+/// What a thing is called, and what it came with: an included file, or the topmost node of one.
+struct PlacedName {
+    std::string object, asset; ///< either may be empty
+};
+
 /// A mesh placed in the world. The transform is affine and invertible.
 struct Instance {
     uint32_t mesh = 0;
     glm::mat4 object_to_world{1.0f};
+    uint32_t name = NO_NAME;
 };
 
 constexpr auto fields_of(TypeTag<Instance>) {
     return std::tuple{field_without_key(&Instance::mesh, "mesh"),
-                      field_without_key(&Instance::object_to_world, "transform")};
+                      field_without_key(&Instance::object_to_world, "transform"),
+                      field_without_key(&Instance::name, "name", {.form = Form::name})};
 }
 
 /// An analytic sphere in world space.
@@ -50,12 +57,14 @@ struct Sphere {
     glm::vec3 center{0.0f};
     float radius = 1.0f;
     uint32_t material = 0;
+    uint32_t name = NO_NAME;
 };
 
 constexpr auto fields_of(TypeTag<Sphere>) {
     return std::tuple{field("center", &Sphere::center, "", {.form = Form::point}),
                       field("radius", &Sphere::radius, "", {.range = POSITIVE}),
-                      field_without_key(&Sphere::material, "material", {.form = Form::material})};
+                      field_without_key(&Sphere::material, "material", {.form = Form::material}),
+                      field_without_key(&Sphere::name, "name", {.form = Form::name})};
 }
 
 enum class ShapeKind : uint32_t { sphere, disk, cylinder, cone, torus };
@@ -76,13 +85,15 @@ struct Shape {
     uint32_t material = 0;
     float minor_radius = 0.25f; ///< torus only, in (0, 1)
     glm::mat4 object_to_world{1.0f};
+    uint32_t name = NO_NAME;
 };
 
 constexpr auto fields_of(TypeTag<Shape>) {
     return std::tuple{field_without_key(&Shape::kind, "kind"),
                       field_without_key(&Shape::material, "material", {.form = Form::material}),
                       field_without_key(&Shape::minor_radius, "minor radius", {.range = UNIT}),
-                      field_without_key(&Shape::object_to_world, "transform")};
+                      field_without_key(&Shape::object_to_world, "transform"),
+                      field_without_key(&Shape::name, "name", {.form = Form::name})};
 }
 
 } // namespace onde

@@ -6,7 +6,7 @@ namespace onde {
 namespace {
 
 void add(Hasher& hasher, const std::string&) {
-    (void)hasher; // names change no pixel
+    (void)hasher; // names change no pixel, but for those of groups
 }
 
 void add(Hasher& hasher, bool value) {
@@ -55,7 +55,11 @@ void add(Hasher& hasher, const std::optional<T>& value);
 /// Every member of its table.
 template <Fielded T>
 void add(Hasher& hasher, const T& thing) {
-    for_each_field(thing, [&](const auto&, const auto& value) { add(hasher, value); });
+    for_each_field(thing, [&]<class Value>(const auto& field, const Value& value) {
+        if constexpr (std::is_same_v<Value, std::string>)
+            if (field.rules.form == Form::group) hasher.text(value);
+        if (field.rules.form != Form::name) add(hasher, value);
+    });
 }
 
 template <class T>

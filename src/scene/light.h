@@ -1,4 +1,5 @@
-// Lights without geometry. Anything with an emissive material is a light as well.
+// Lights without geometry. Anything with an emissive material is a light as well. The `group` of a
+// light is a name that others may have too: films can have the light of each group by itself.
 #pragma once
 
 #include "image/image.h"
@@ -8,12 +9,14 @@
 
 #include <numbers>
 #include <optional>
+#include <string>
 
 namespace onde {
 
 struct PointLight {
     glm::vec3 position{0.0f};
     glm::vec3 intensity{1.0f}; ///< W/sr
+    std::string group{};
 };
 
 /// What a light without its radiometric key is taken to mean, for the documentation.
@@ -23,7 +26,8 @@ constexpr auto fields_of(TypeTag<PointLight>) {
     return std::tuple{
         field("position", &PointLight::position, "", {.form = Form::point, .required = true}),
         field("intensity", &PointLight::intensity, "W/sr",
-              {.range = NOT_NEGATIVE, .form = Form::color, .absent = FROM_CHAPTER})};
+              {.range = NOT_NEGATIVE, .form = Form::color, .absent = FROM_CHAPTER}),
+        field("group", &PointLight::group, GROUP_MEANING, GROUP_RULES)};
 }
 
 /// Shines into a cone: with all its intensity into an inner one, with less toward the rim.
@@ -33,6 +37,7 @@ struct SpotLight {
     glm::vec3 intensity{1.0f};                            ///< W/sr
     float half_angle = 0.25f * std::numbers::pi_v<float>; ///< radians, of the cone
     float inner_angle = 0.0f; ///< radians, half; at least half_angle: alike everywhere
+    std::string group{};
 };
 
 constexpr auto fields_of(TypeTag<SpotLight>) {
@@ -46,12 +51,14 @@ constexpr auto fields_of(TypeTag<SpotLight>) {
               {.range = {.low = 0.1, .high = 180}, .form = Form::degrees}),
         field("inner_angle", &SpotLight::inner_angle,
               "of the cone in which it has all its intensity",
-              {.range = {.low = 0, .high = 180}, .form = Form::degrees})};
+              {.range = {.low = 0, .high = 180}, .form = Form::degrees}),
+        field("group", &SpotLight::group, GROUP_MEANING, GROUP_RULES)};
 }
 
 struct DirectionalLight {
     glm::vec3 to_light{0.0f, 1.0f, 0.0f}; ///< unit, pointing from the scene toward the light
     glm::vec3 irradiance{1.0f};           ///< on a surface facing the light
+    std::string group{};
 };
 
 constexpr auto fields_of(TypeTag<DirectionalLight>) {
@@ -59,7 +66,8 @@ constexpr auto fields_of(TypeTag<DirectionalLight>) {
                             {.form = Form::travel, .required = true}),
                       field("irradiance", &DirectionalLight::irradiance,
                             "W/m^2 on a surface facing the light",
-                            {.range = NOT_NEGATIVE, .form = Form::color, .absent = FROM_CHAPTER})};
+                            {.range = NOT_NEGATIVE, .form = Form::color, .absent = FROM_CHAPTER}),
+                      field("group", &DirectionalLight::group, GROUP_MEANING, GROUP_RULES)};
 }
 
 inline PointLight placed(PointLight light, const glm::mat4& transform) {
@@ -92,6 +100,7 @@ struct Environment {
     std::optional<Image> map; ///< 3 channels
     float rotation = 0.0f;
     std::optional<float> ground{};
+    std::string group{}; ///< of lights
 };
 
 constexpr auto fields_of(TypeTag<Environment>) {
@@ -105,7 +114,8 @@ constexpr auto fields_of(TypeTag<Environment>) {
                       field("ground", &Environment::ground,
                             "y of a plane that shows nothing but the shadow that the scene throws "
                             "in this light and a faint reflection of it",
-                            {.form = Form::height, .absent = "no ground"})};
+                            {.form = Form::height, .absent = "no ground"}),
+                      field("group", &Environment::group, GROUP_MEANING, GROUP_RULES)};
 }
 
 } // namespace onde

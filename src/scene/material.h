@@ -104,6 +104,7 @@ struct Material {
     float alpha_cutoff = 0.5f; ///< of AlphaMode::mask
     bool double_sided = true;  ///< else the camera, and what mirrors and clear glass show of the
                                ///< scene, see through the back; dielectrics always are
+    std::string group{};       ///< of lights, that its emission belongs to
 };
 
 constexpr auto fields_of(TypeTag<Material>) {
@@ -139,6 +140,7 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("double_sided", &M::double_sided,
               "else cameras and mirrors see through the back; "
               "`dielectric` always is"),
+        field("group", &M::group, GROUP_MEANING, GROUP_RULES),
         LoaderKey{"wrap", "`\"repeat\"`, `\"clamp\"`, `\"mirror\"`",
                   "how this material's textures go on beyond their edges", "`\"repeat\"`"}};
 }

@@ -31,7 +31,8 @@ static void take_shifted(std::map<uint32_t, T>& whole, const std::map<uint32_t, 
 AssetOffsets append_assets(Scene& whole, Scene& part) {
     const AssetOffsets offsets{.textures = move_to_end(whole.textures, part.textures),
                                .materials = move_to_end(whole.materials, part.materials),
-                               .meshes = move_to_end(whole.meshes, part.meshes)};
+                               .meshes = move_to_end(whole.meshes, part.meshes),
+                               .names = move_to_end(whole.names, part.names)};
     for (size_t i = offsets.materials; i < whole.materials.size(); ++i)
         for_each_texture(whole.materials[i], [&](const auto&, int32_t& texture) {
             if (texture != NO_TEXTURE) texture += int32_t(offsets.textures);
@@ -66,21 +67,22 @@ static bool is_light(const Scene& scene, uint32_t material) {
 }
 
 /// Evenly scaled spheres stay spheres; others become shapes. A stretched light is refused.
-static void place_sphere(Scene& whole, const Sphere& sphere, uint32_t material,
-                         const glm::mat4& transform) {
+static void place_sphere(Scene& whole, Sphere sphere, const glm::mat4& transform) {
     const float scale = even_scale(transform);
     if (scale > 0.0f) {
-        whole.spheres.push_back(
-            {transform_point(transform, sphere.center), sphere.radius * scale, material});
+        sphere.center = transform_point(transform, sphere.center);
+        sphere.radius *= scale;
+        whole.spheres.push_back(sphere);
         return;
     }
-    if (is_light(whole, material))
+    if (is_light(whole, sphere.material))
         throw InputError("a sphere that is a light cannot be stretched; scale it evenly or use a "
                          "mesh");
     glm::mat4 placed(1.0f);
     for (glm::length_t k = 0; k < 3; ++k) placed[k][k] = sphere.radius;
     placed[3] = glm::vec4(sphere.center, 1.0f);
-    whole.shapes.push_back({ShapeKind::sphere, material, 0.25f, transform * placed});
+    whole.shapes.push_back(
+        {ShapeKind::sphere, sphere.material, 0.25f, transform * placed, sphere.name});
 }
 
 glm::mat4 rigid_part(const glm::mat4& transform) {
@@ -180,13 +182,18 @@ void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
         throw InputError("the includes add up to more than {} instances, spheres, shapes, lights "
                          "or cameras; include fewer",
                          MAX_PLACED);
+    const auto name = [&](uint32_t own) { return own == NO_NAME ? own : own + offsets.names; };
     for (const Instance& instance : part.instances)
-        whole.instances.push_back(
-            {instance.mesh + offsets.meshes, transform * instance.object_to_world});
-    for (const Sphere& sphere : part.spheres)
-        place_sphere(whole, sphere, sphere.material + offsets.materials, transform);
+        whole.instances.push_back({instance.mesh + offsets.meshes,
+                                   transform * instance.object_to_world, name(instance.name)});
+    for (Sphere sphere : part.spheres) {
+        sphere.material += offsets.materials;
+        sphere.name = name(sphere.name);
+        place_sphere(whole, sphere, transform);
+    }
     for (Shape shape : part.shapes) {
         shape.material += offsets.materials;
+        shape.name = name(shape.name);
         shape.object_to_world = transform * shape.object_to_world;
         whole.shapes.push_back(shape);
     }
@@ -202,7 +209,7 @@ void place_anew(Scene& scene, const glm::mat4& transform) {
         instance.object_to_world = transform * instance.object_to_world;
     for (Shape& shape : scene.shapes) shape.object_to_world = transform * shape.object_to_world;
     for (const Sphere& sphere : std::exchange(scene.spheres, {}))
-        place_sphere(scene, sphere, sphere.material, transform);
+        place_sphere(scene, sphere, transform);
     for_each_light_list(scene, [&](auto& lights, const auto&, const char*) {
         for (auto& light : lights) light = placed(light, transform);
     });

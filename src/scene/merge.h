@@ -7,10 +7,10 @@ namespace onde {
 
 /// Where the assets of a part begin in the whole.
 struct AssetOffsets {
-    uint32_t textures = 0, materials = 0, meshes = 0;
+    uint32_t textures = 0, materials = 0, meshes = 0, names = 0;
 };
 
-/// Moves the textures, materials and meshes of `part` to the end of those of `whole`.
+/// Moves the textures, materials, meshes and names of `part` to the end of those of `whole`.
 AssetOffsets append_assets(Scene& whole, Scene& part);
 
 /// Places the instances, spheres, lights and cameras of `part`, whose assets lie at `offsets` in

@@ -26,6 +26,7 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Sphere> spheres;
     std::vector<Shape> shapes;
+    std::vector<PlacedName> names; ///< of instances, spheres and shapes
 #define ONDE_LIST(Type, list, words) std::vector<Type> list;
     LIGHT_LISTS(ONDE_LIST)
 #undef ONDE_LIST

@@ -9,6 +9,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace onde {
 
@@ -38,6 +40,19 @@ constexpr auto enum_words(Background) {
                       EnumWord{Background::transparent, "transparent"}};
 }
 
+/// What takes the noise from a picture.
+enum class Denoiser {
+    automatic,  ///< Open Image Denoise where its library is found, else our own
+    open_image, ///< Open Image Denoise
+    own,        ///< on the device
+    off,
+};
+
+constexpr auto enum_words(Denoiser) {
+    return std::array{EnumWord{Denoiser::automatic, "auto"}, EnumWord{Denoiser::open_image, "oidn"},
+                      EnumWord{Denoiser::own, "onde"}, EnumWord{Denoiser::off, "off"}};
+}
+
 /// Of pictures whose scene states no size, pixels.
 inline constexpr glm::uvec2 DEFAULT_FILM_SIZE{800, 600};
 
@@ -50,6 +65,9 @@ struct RenderSettings {
     std::optional<ToneMap> tone_map;
     std::optional<IntegratorKind> integrator;
     std::optional<Background> background;
+    std::optional<std::vector<std::string>> aov;
+    std::optional<Denoiser> denoise;
+    std::optional<float> clamp;
 };
 
 /// The keys of [render]; [film] has width and height as one.
@@ -77,7 +95,12 @@ constexpr auto fields_of(TypeTag<RenderSettings>) {
             "background", &S::background,
             "what rays of the camera see where there is nothing; `\"transparent\"` gives pictures "
             "an alpha channel",
-            {.absent = "`\"environment\"`"})};
+            {.absent = "`\"environment\"`"}),
+        field("aov", &S::aov, "further [channels](#channels) of the picture", {.absent = "none"}),
+        field("denoise", &S::denoise, "what takes the noise from the picture",
+              {.absent = "`\"off\"`"}),
+        field("clamp", &S::clamp, "the most radiance of a sample",
+              {.range = POSITIVE, .absent = "any"})};
 }
 
 } // namespace onde

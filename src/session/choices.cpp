@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "render/film_nodes.h"
 #include "render/frame.h"
+#include "scene/light_groups.h"
 
 #include "shared/aovs.h"
 
@@ -48,12 +49,17 @@ void resolve_depth(const RenderChoices& choices, const RenderSettings& own,
     options.depth = most;
 }
 
-/// A transparent background that only the scene asks for is for path tracing alone.
-void resolve_film(const RenderChoices& choices, const RenderSettings& own,
-                  ResolvedOptions& resolved) {
+/// A transparent background and a clamp that only the scene asks for are for path tracing alone.
+void resolve_film(const RenderChoices& choices, const Scene& scene, ResolvedOptions& resolved) {
     RenderOptions& options = resolved.options;
-    options.clamp = choices.clamp.value_or(0.0f);
-    if (choices.clamp) options.aovs |= 1u << AOV_CLAMPED;
+    if (choices.light_groups) options.light_groups = light_groups(scene);
+    if (options.light_groups.size() == 1)
+        resolved.notes.push_back(fmt::format(
+            "no light of the scene has a group: all its light is in the group {}", OTHER_LIGHT));
+    const RenderSettings& own = scene.settings;
+    if (choices.clamp || options.integrator == IntegratorKind::path)
+        options.clamp = choices.clamp.value_or(own.clamp.value_or(0.0f));
+    if (options.clamp > 0) options.aovs |= 1u << AOV_CLAMPED;
     options.background = choices.background.value_or(own.background.value_or(options.background));
     if (options.background != Background::transparent) return;
     if (!choices.background && options.integrator != IntegratorKind::path) {
@@ -146,7 +152,7 @@ ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene
     if (!scene.cameras.empty())
         check_screen(scene.cameras[options.camera], options.width, options.height);
     resolve_depth(choices, own, resolved);
-    resolve_film(choices, own, resolved);
+    resolve_film(choices, scene, resolved);
     options.engine = choices.engine.value_or(options.engine);
     options.settings = gpu::default_settings(facts);
     resolve_settings(choices, options.settings);

@@ -25,6 +25,7 @@ struct RenderChoices {
     std::optional<Background> background;
     std::optional<float> clamp;
     uint32_t aovs = 0; ///< of RenderOptions
+    bool light_groups = false;
     std::optional<Engine> engine;
     std::optional<gpu::Launch> launch;
     std::optional<bool> interleave;

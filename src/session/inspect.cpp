@@ -19,6 +19,7 @@ RenderOptions single_path(RenderOptions options) {
     options.settings.launch = gpu::Launch::fused;
     options.engine = Engine::wavefront;
     options.aovs = 0;
+    options.light_groups.clear();
     options.samples = options.samples_in_flight = 1;
     return options;
 }
@@ -107,8 +108,8 @@ TreeReport inspect_whitted(const IntegratorContext& c, const PixelSample& at) {
 
 PathReport inspect_path(const IntegratorContext& c, const PixelSample& at) {
     const Inspection inspection(c, at);
-    gpu::Program program =
-        inspection.build(PathEstimator(0).shape(), "inspect/path.cl", "inspect_path");
+    gpu::Program program = inspection.build(PathEstimator(inspection.options()).shape(),
+                                            "inspect/path.cl", "inspect_path");
     gpu::Kernel& kernel = program.kernel("inspect_path");
     const gpu::Buffer<BounceReport> bounces(c.device(), c.options.depth);
     const gpu::Buffer<uint32_t> count(c.device(), 1);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 
 namespace onde {
@@ -16,9 +17,8 @@ using Either = std::variant<OpenImageDenoise, DeviceDenoiser>;
 
 constexpr uint64_t MOST_BYTES = uint64_t(3) << 30;
 
-const FilmChannel& channel(const char* name) {
-    return *find_channel(name);
-}
+/// What guides a denoiser, in the order of NoisyPicture.
+constexpr const char* GUIDES[] = {"variance", "denoise-albedo", "denoise-normal", "depth"};
 
 /// The library that is named, by option or environment, else the one that is installed.
 std::optional<std::filesystem::path> library_of(const std::filesystem::path& named) {
@@ -51,12 +51,25 @@ Either choose(gpu::Programs& programs, const DenoiserOptions& options, uint32_t 
     return DeviceDenoiser(programs, denoiser_cut(programs.device().facts(), picture_width));
 }
 
+/// The parts are the light of groups.
+NoisyPicture noisy_picture(const Film& film) {
+    std::vector<FilmChannel> channels{RADIANCE};
+    for (const char* name : GUIDES) channels.push_back(*find_channel(name));
+    for (uint32_t i = 0; i < film.planes().groups; i++)
+        channels.push_back(group_channel("group", i));
+    std::vector<Image> all = film.develop(channels);
+    const auto parts = all.begin() + std::ssize(GUIDES) + 1;
+    return {
+        std::move(all[0]), std::move(all[1]),
+        std::move(all[2]), std::move(all[3]),
+        std::move(all[4]), {std::make_move_iterator(parts), std::make_move_iterator(all.end())}};
+}
+
 } // namespace
 
 uint32_t denoiser_aovs() {
     uint32_t bits = 0;
-    for (const char* name : {"variance", "denoise-albedo", "denoise-normal", "depth"})
-        bits |= 1u << channel(name).sums;
+    for (const char* name : GUIDES) bits |= 1u << find_channel(name)->sums;
     return bits;
 }
 
@@ -88,9 +101,7 @@ std::string PictureDenoiser::name() const {
 }
 
 DenoisedPicture PictureDenoiser::denoise(const Film& film) {
-    const NoisyPicture noisy{
-        film.develop(), film.develop(channel("variance")), film.develop(channel("denoise-albedo")),
-        film.develop(channel("denoise-normal")), film.develop(channel("depth"))};
+    const NoisyPicture noisy = noisy_picture(film);
     if (const auto* library = std::get_if<OpenImageDenoise>(&denoiser_))
         return library->denoise(noisy, quality_ == DenoiseQuality::high,
                                 std::min(available_memory() / 4, MOST_BYTES));

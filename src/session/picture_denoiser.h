@@ -16,18 +16,6 @@ namespace onde {
 
 class Film;
 
-enum class Denoiser {
-    automatic,  ///< Open Image Denoise where its library is found, else our own
-    open_image, ///< Open Image Denoise
-    own,        ///< on the device
-    off,
-};
-
-constexpr auto enum_words(Denoiser) {
-    return std::array{EnumWord{Denoiser::automatic, "auto"}, EnumWord{Denoiser::open_image, "oidn"},
-                      EnumWord{Denoiser::own, "onde"}, EnumWord{Denoiser::off, "off"}};
-}
-
 enum class DenoiseQuality {
     high, ///< what guides the denoiser is denoised first
     fast,

@@ -5,6 +5,7 @@
 #include "image/tone.h"
 #include "render/frame.h"
 #include "scene/check.h"
+#include "scene/light_groups.h"
 #include "scene/load.h"
 #include "scene/mapping.h"
 #include "session/choices.h"
@@ -23,7 +24,14 @@ namespace {
 /// Whether two materials make the same lights and tangents of the surfaces that have them.
 bool same_geometry(const Material& a, const Material& b) {
     return a.emission == b.emission && a.emission_texture == b.emission_texture &&
-           a.two_sided == b.two_sided && a.normal_texture == b.normal_texture;
+           a.two_sided == b.two_sided && a.normal_texture == b.normal_texture && a.group == b.group;
+}
+
+/// Planes are for the groups that the scene has.
+void check_light_groups(const Scene& scene, const RenderOptions& options) {
+    if (!options.light_groups.empty() && options.light_groups != light_groups(scene))
+        throw InputError("the film has the light of other groups than the scene has; ask for those "
+                         "of the scene");
 }
 
 /// Whether a film of the one is a beginning of a film of the other.
@@ -45,6 +53,7 @@ T& find(std::vector<T>& things, size_t index, const char* kind) {
 Session::Session(gpu::Programs& programs, Scene scene, SessionOptions options)
     : programs_(programs), scene_(std::move(scene)), options_(std::move(options)) {
     check_options(options_.render);
+    check_light_groups(scene_, options_.render);
     check_screen(camera(), options_.render.width, options_.render.height);
     for (const std::string& sentence : scene_.notes) note(sentence);
     note_mapping();
@@ -176,12 +185,20 @@ Image Session::picture() {
     return before_background(film().develop());
 }
 
+std::vector<Image> Session::light_groups() {
+    std::vector<FilmChannel> channels;
+    for (const std::string& group : options_.render.light_groups)
+        channels.push_back(group_channel(group, channels.size()));
+    return film().develop(channels);
+}
+
 DenoisedImage Session::denoised() {
     if (!denoiser_)
         throw InputError("the picture can't be denoised: the options ask for no denoiser");
     const Timer timer;
-    const DenoisedPicture denoised = denoiser_->denoise(film());
-    return {before_background(denoised.radiance), denoiser_->name(), timer.seconds()};
+    DenoisedPicture denoised = denoiser_->denoise(film());
+    return {before_background(denoised.radiance), std::move(denoised.parts), denoiser_->name(),
+            timer.seconds()};
 }
 
 void Session::clear() {
@@ -280,6 +297,7 @@ TraversalCost Session::traversal_cost() {
 
 void Session::set_options(const RenderOptions& options) {
     check_options(options);
+    check_light_groups(scene_, options);
     if (options.camera >= scene_.cameras.size())
         throw InputError("there is no camera {}; the scene has {}", options.camera,
                          scene_.cameras.size());
@@ -319,6 +337,7 @@ void Session::set_material(size_t index, const Material& value) {
     const Material before = std::exchange(material, value);
     try {
         check_material(scene_, index);
+        check_light_groups(scene_, options_.render);
     } catch (...) {
         material = before;
         throw;

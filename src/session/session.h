@@ -44,7 +44,8 @@ using SampleReport = std::variant<PathReport, TreeReport>;
 /// A session's picture without its noise, and what it took.
 struct DenoisedImage {
     Image picture;
-    std::string denoiser; ///< its name
+    std::vector<Image> groups; ///< the light of options().light_groups; it adds up to the picture's
+    std::string denoiser;      ///< its name
     double seconds = 0;
 };
 
@@ -84,9 +85,11 @@ class Session {
     /// The film's mean radiance so far; before a transparent background with alpha as the fourth
     /// channel, by which the others are multiplied.
     Image picture();
-    /// The same without its noise, by the denoiser that the options ask for; alpha stays as it is.
-    /// Throws InputError where they ask for none or where the library fails, DeviceError where the
-    /// device does.
+    /// The light of each of options().light_groups; it adds up to the picture's.
+    std::vector<Image> light_groups();
+    /// The picture without its noise, by the denoiser that the options ask for; alpha stays as it
+    /// is. Throws InputError where they ask for none or where the library fails, DeviceError where
+    /// the device does.
     DenoisedImage denoised();
     /// Begins anew: an empty film, nothing counted.
     void clear();

@@ -1,6 +1,7 @@
 #include "upload/appearance.h"
 
 #include "core/error.h"
+#include "scene/light_groups.h"
 #include "scene/phong.h"
 #include "upload/alias_table.h"
 #include "upload/words.h"
@@ -80,12 +81,14 @@ std::vector<MaterialRecord> pack_materials(const Scene& scene) {
     static_assert(uint32_t(MaterialKind::conductor) == MATERIAL_CONDUCTOR);
     std::vector<MaterialRecord> records;
     AlphaModes alpha_modes(scene);
+    const LightGroups groups(scene);
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         const Material m = path_material(scene, i);
         MaterialRecord record{};
         record.kind = uint32_t(m.kind);
         record.two_sided = m.two_sided;
         record.alpha_mode = alpha_modes.of(i);
+        record.group = groups(m.group);
         record.double_sided = m.double_sided || m.kind == MaterialKind::dielectric;
 #define ONDE_COLOR(name) copy(record.name, m.name);
         MATERIAL_COLORS(ONDE_COLOR)

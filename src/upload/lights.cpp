@@ -1,5 +1,6 @@
 #include "upload/lights.h"
 
+#include "scene/light_groups.h"
 #include "scene/load.h"
 #include "upload/alias_table.h"
 #include "upload/appearance.h"
@@ -20,10 +21,12 @@ double luminance(glm::vec3 c) {
 }
 
 struct WeightedLights {
-    std::vector<LightRecord> records;
-    std::vector<double> power;
+    LightGroups groups;
+    std::vector<LightRecord> records{};
+    std::vector<double> power{};
 
-    void add(const LightRecord& record, double weight) {
+    void add(LightRecord record, double weight, const std::string& group) {
+        record.group = groups(group);
         records.push_back(record);
         power.push_back(weight);
     }
@@ -82,7 +85,8 @@ void add_primitive(const Scene& scene, FlatGeometry& flat, const EmissivePrimiti
     listed = emission > 0 && e.light ? uint32_t(lights.records.size()) : LIGHT_UNLISTED;
     if (listed == LIGHT_UNLISTED) return;
     const bool both = e.light->kind != LIGHT_SPHERE && scene.materials[e.material].two_sided;
-    lights.add(*e.light, PI * e.area * (both ? 2 : 1) * emission);
+    lights.add(*e.light, PI * e.area * (both ? 2 : 1) * emission,
+               scene.materials[e.material].group);
 }
 
 /// The environment's mean radiance, by luminance, weighted by solid angle.
@@ -115,7 +119,7 @@ void add_point(const PointLight& light, WeightedLights& lights) {
     record.kind = LIGHT_POINT;
     copy(record.as.point.position, light.position);
     copy(record.as.point.intensity, light.intensity);
-    lights.add(record, 4 * PI * luminance(light.intensity));
+    lights.add(record, 4 * PI * luminance(light.intensity), light.group);
 }
 
 void add_spot(const SpotLight& light, WeightedLights& lights) {
@@ -129,7 +133,7 @@ void add_spot(const SpotLight& light, WeightedLights& lights) {
     record.as.spot.opening = float(1 - outer);
     record.as.spot.steepness = float(1 / width);
     const double angle = 2 * PI * std::max(1 - outer - width + width / 3, width / 3);
-    lights.add(record, angle * luminance(light.intensity));
+    lights.add(record, angle * luminance(light.intensity), light.group);
 }
 
 void add_directional(const DirectionalLight& light, double scene_radius, WeightedLights& lights) {
@@ -137,7 +141,7 @@ void add_directional(const DirectionalLight& light, double scene_radius, Weighte
     record.kind = LIGHT_DIRECTIONAL;
     copy(record.as.directional.to_light, light.to_light);
     copy(record.as.directional.irradiance, light.irradiance);
-    lights.add(record, PI * scene_radius * scene_radius * luminance(light.irradiance));
+    lights.add(record, PI * scene_radius * scene_radius * luminance(light.irradiance), light.group);
 }
 
 void add_environment(const Scene& scene, double scene_radius, WeightedLights& lights) {
@@ -147,7 +151,8 @@ void add_environment(const Scene& scene, double scene_radius, WeightedLights& li
     const double power = 4 * PI * PI * scene_radius * scene_radius * mean;
     LightRecord record{};
     record.kind = LIGHT_ENVIRONMENT;
-    lights.add(record, others > 0 ? std::clamp(power, others / 3, others) : 1.0);
+    lights.add(record, others > 0 ? std::clamp(power, others / 3, others) : 1.0,
+               scene.environment.group);
 }
 
 } // namespace
@@ -155,7 +160,7 @@ void add_environment(const Scene& scene, double scene_radius, WeightedLights& li
 LightList build_lights(const Scene& scene, FlatGeometry& flat) {
     const SceneBounds bounds = scene_bounds(scene);
     const double radius = std::max(0.5 * double(glm::length(bounds.high - bounds.low)), 1e-6);
-    WeightedLights lights;
+    WeightedLights lights{LightGroups(scene)};
     for (const EmissivePrimitive& e : flat.emissive) add_primitive(scene, flat, e, lights);
     for (const PointLight& light : scene.point_lights) add_point(light, lights);
     for (const SpotLight& light : scene.spot_lights) add_spot(light, lights);

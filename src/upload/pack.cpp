@@ -1,6 +1,7 @@
 #include "upload/pack.h"
 
 #include "core/error.h"
+#include "scene/light_groups.h"
 #include "scene/origin.h"
 #include "scene/phong.h"
 #include "upload/bvh_arrays.h"
@@ -114,6 +115,7 @@ PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
     packed.ground_height = scene.environment.ground.value_or(packed.ground_height);
     packed.environment_radiance = scene.environment.radiance;
     packed.environment_rotation = scene.environment.rotation;
+    packed.environment_group = LightGroups(scene)(scene.environment.group);
     packed.features = find_features(scene, packed);
     return packed;
 }
@@ -135,6 +137,7 @@ void repack_scene(PackedScene& packed, const Scene& scene, SceneChange change,
         pack_geometry(packed, scene, std::move(flat));
     }
     packed.materials = pack_materials(scene);
+    packed.environment_group = LightGroups(scene)(scene.environment.group);
     packed.features = find_features(scene, packed);
 }
 

@@ -32,6 +32,7 @@ inline FilmHeader made_header(uint32_t samples) {
                        IntegratorKind::path,
                        Background::environment,
                        1u << AOV_ALBEDO | 1u << AOV_DEPTH,
+                       {"other", "key"},
                        0.0f,
                        0.0f,
                        0.0f,
@@ -45,7 +46,7 @@ inline FilmHeader made_header(uint32_t samples) {
 
 /// Sums of up to 64 samples of a block, of the pixels in a window.
 inline FilmSums made_sums(uint32_t block, uint32_t samples, const Rectangle& window) {
-    FilmSums sums(size_t(film_planes(made_header(0).identity.aovs)) * WIDTH * HEIGHT);
+    FilmSums sums(size_t(made_header(0).identity.planes().count()) * WIDTH * HEIGHT);
     for (size_t i = 0; i < sums.size(); i++) {
         const auto pixel = uint32_t(i % (WIDTH * HEIGHT)), x = pixel % WIDTH, y = pixel / WIDTH;
         std::mt19937 generator(uint32_t(i) * 7919 + block);
@@ -70,7 +71,7 @@ inline KeptFilm made_film(uint32_t begin, uint32_t end, const Rectangle& window 
     FilmContents& contents = film.contents;
     contents.width = WIDTH;
     contents.height = HEIGHT;
-    contents.aovs = film.header.identity.aovs;
+    contents.planes = film.header.identity.planes();
     contents.extent = {begin, end, 0, 0};
     for (uint32_t block = begin / FILM_BLOCK; block < end / FILM_BLOCK; block++)
         add_part(contents.parts, {{0, block}, made_sums(block, FILM_BLOCK, window)});

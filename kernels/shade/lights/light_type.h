@@ -20,6 +20,7 @@ typedef struct {
     real pdf;        // of the direction; 1 for delta lights
     mask delta;      // points and directions, which no ray can hit
     mask valid;
+    natural group; // of lights; light.h finds it, where films ask for groups
 } LightSample;
 
 // The start of a ray of light, over the density of all that was chosen.
@@ -61,6 +62,7 @@ OVERLOAD LightSample choose(mask m, LightSample a, LightSample b) {
     s.pdf = choose(m, a.pdf, b.pdf);
     s.delta = choose(m, a.delta, b.delta);
     s.valid = choose(m, a.valid, b.valid);
+    s.group = choose(m, a.group, b.group);
     return s;
 }
 OVERLOAD Emission choose(mask m, Emission a, Emission b) {
@@ -82,6 +84,7 @@ INLINE LightSample no_light_sample(void) {
     s.distance = (real)(0.0f);
     s.pdf = (real)(1.0f);
     s.delta = s.valid = (mask)(0);
+    s.group = (natural)(0u);
     return s;
 }
 INLINE Emission no_emission(void) {

@@ -21,6 +21,7 @@ struct Visit {
     uint32_t node;
     glm::dmat4 parent_to_world;
     size_t depth;
+    uint32_t top; ///< node above it
 };
 
 bool finite(const glm::dmat4& m) {
@@ -40,6 +41,8 @@ class NodeTraversal {
         while (!stack_.empty()) {
             const Visit visit = stack_.back();
             stack_.pop_back();
+            node_ = visit.node;
+            top_ = visit.top;
             enter(visit);
         }
         place(file_, placements_, meshes_.origins(), scene_);
@@ -51,7 +54,7 @@ class NodeTraversal {
         // Reversed, so that nodes come off the stack in the file's order.
         for (size_t i = nodes.size(); i-- > 0;) {
             at(file_, file_.document.nodes, nodes[i], "node", user);
-            stack_.push_back({nodes[i], to_world, depth});
+            stack_.push_back({nodes[i], to_world, depth, depth == 0 ? nodes[i] : top_});
         }
     }
 
@@ -70,6 +73,7 @@ class NodeTraversal {
     std::map<uint32_t, std::vector<glm::dmat4>> joints_; ///< matrices, by skin
     std::vector<bool> visited_;
     std::vector<Visit> stack_;
+    uint32_t node_ = 0, top_ = 0; ///< that is visited, and the topmost one above it
 };
 
 void NodeTraversal::enter(const Visit& visit) {
@@ -162,7 +166,7 @@ void NodeTraversal::add_instance(uint32_t mesh, const glm::dmat4& to_world,
     }
     // With the box and the record that upload and tree need for each.
     file_.context.spend(1, 4 * sizeof(Instance) + sizeof(Placement), file_.where(user));
-    placements_.meshes.push_back({.index = mesh, .to_world = to_world});
+    placements_.meshes.push_back({mesh, node_, to_world, top_});
 }
 
 } // namespace

@@ -14,6 +14,7 @@ namespace onde::gltf {
 struct Placement {
     uint32_t index = 0, node = 0;
     glm::dmat4 to_world{1.0};
+    uint32_t top = 0; ///< the topmost node above that
 };
 
 struct Placements {

@@ -52,6 +52,20 @@ static void keep_geometry(Scene& scene) {
     scene.chapter = std::move(materials);
 }
 
+/// All that stands in a file came with it, named or not.
+static void name_asset(Scene& scene, const std::string& asset) {
+    for (PlacedName& name : scene.names) name.asset = asset;
+    const auto unnamed = uint32_t(scene.names.size());
+    scene.names.push_back({"", asset});
+    const auto name_each = [&](auto& things) {
+        for (auto& thing : things)
+            if (thing.name == NO_NAME) thing.name = unnamed;
+    };
+    name_each(scene.instances);
+    name_each(scene.spheres);
+    name_each(scene.shapes);
+}
+
 TomlScene::Part& TomlScene::part(const TableReader& table, std::string_view key,
                                  const std::string& file, bool geometry_only, int64_t material) {
     const fs::path path = context_.resolve(folder_, file, table.where(key));
@@ -64,6 +78,7 @@ TomlScene::Part& TomlScene::part(const TableReader& table, std::string_view key,
     part.placed = load_part(path, context_, ancestors_);
     if (geometry_only) keep_geometry(part.placed);
     for (const std::string& note : part.placed.notes) scene_.notes.push_back(file + ": " + note);
+    name_asset(part.placed, path.stem().string());
     part.offsets = append_assets(scene_, part.placed);
     if (material >= 0)
         for (size_t i = part.offsets.meshes; i < scene_.meshes.size(); ++i)

@@ -96,13 +96,15 @@ constexpr auto enum_words(ShapeType) {
 /// [[shape]], whatever its type.
 struct Shape {
     ShapeType type = ShapeType::sphere;
-    std::string material;
+    std::string material, name;
 };
 
 constexpr auto fields_of(TypeTag<Shape>) {
     return std::tuple{field("type", &Shape::type, "see below", {.required = true}),
                       field("material", &Shape::material, "the name of a `[[material]]`",
-                            {.absent = "diffuse grey 0.8"})};
+                            {.absent = "diffuse grey 0.8"}),
+                      field("name", &Shape::name, "for `--aov crypto-object`",
+                            {.absent = "its mesh's, or `object` and a number"})};
 }
 
 struct Rectangle {
@@ -215,12 +217,14 @@ constexpr auto fields_of(TypeTag<ChapterLight>) {
 /// What geometry that is a light emits.
 struct Emission {
     glm::vec3 radiance{0.0f};
+    std::string group{};
 };
 
 constexpr auto fields_of(TypeTag<Emission>) {
     return std::tuple{
         field("radiance", &Emission::radiance, "W/(sr m^2)",
-              {.range = NOT_NEGATIVE, .form = Form::color, .absent = "from `chapter_intensity`"})};
+              {.range = NOT_NEGATIVE, .form = Form::color, .absent = "from `chapter_intensity`"}),
+        field("group", &Emission::group, GROUP_MEANING, GROUP_RULES)};
 }
 
 /// From which faces, where there are two.

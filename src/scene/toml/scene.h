@@ -62,6 +62,8 @@ class TomlScene {
     int32_t texture(const TableReader& table, std::string_view key, bool srgb);
     uint32_t material_named_in(const TableReader& table);
     uint32_t default_material();
+    /// Of the shape or light that the table states.
+    uint32_t placed_name(const TableReader& table);
     uint32_t emitter(const TableReader& table);
     void add_area_light(const TableReader& table, AreaLight light, uint32_t material);
     void add_rectangle_light(const TableReader& table);
@@ -87,7 +89,7 @@ class TomlScene {
     int64_t default_material_ = -1;
     bool has_own_environment_ = false;
     /// What was made of a table, by its place in the file, so that it is made anew in its place.
-    std::map<std::string, uint32_t> mesh_of_table_, emitter_of_table_;
+    std::map<std::string, uint32_t> mesh_of_table_, emitter_of_table_, name_of_table_;
 };
 
 } // namespace onde

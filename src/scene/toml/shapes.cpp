@@ -36,18 +36,28 @@ uint32_t TomlScene::material_named_in(const TableReader& table) {
                            known.empty() ? "none" : known));
 }
 
+uint32_t TomlScene::placed_name(const TableReader& table) {
+    const auto name = table.text("name");
+    if (!name || name->empty()) return NO_NAME;
+    const auto [found, is_new] =
+        name_of_table_.try_emplace(table.where(), uint32_t(scene_.names.size()));
+    if (is_new) scene_.names.push_back({*name, ""});
+    return found->second;
+}
+
 void TomlScene::add_baked(const TableReader& table, Mesh mesh, const glm::mat4& transform) {
     const auto [found, is_new] =
         mesh_of_table_.try_emplace(table.where(), uint32_t(scene_.meshes.size()));
     if (is_new) scene_.meshes.emplace_back();
     bake(mesh, transform);
-    scene_.instances.push_back({found->second, glm::mat4(1.0f)});
+    scene_.instances.push_back({found->second, glm::mat4(1.0f), placed_name(table)});
     scene_.meshes[found->second] = std::move(mesh);
 }
 
 void TomlScene::add_sphere(const TableReader& table, uint32_t material) {
     Sphere sphere{.center = glm::vec3(glm::dvec3(0.0) - table.origin()), .material = material};
     read_fields(table, sphere);
+    sphere.name = placed_name(table);
     scene_.spheres.push_back(sphere);
 }
 
@@ -56,6 +66,7 @@ void TomlScene::add_placed(const TableReader& table, Shape shape, const glm::vec
     shape.object_to_world = glm::scale(placement(table), size);
     if (!std::isnormal(glm::determinant(glm::mat3(shape.object_to_world))))
         table.fail("scale", "makes the shape too small or too large");
+    shape.name = placed_name(table);
     scene_.shapes.push_back(shape);
 }
 
@@ -155,7 +166,10 @@ void TomlScene::add_mesh(const TableReader& table) {
         table.fail("file",
                    "must be a .obj, .ply, .stl, .gltf or .glb; include scenes by [[include]]");
     const int64_t material = table.has("material") ? int64_t(material_named_in(table)) : -1;
+    const size_t first = scene_.instances.size();
     place(table, "file", mesh.file, part(table, "file", mesh.file, true, material), true);
+    if (const uint32_t name = placed_name(table); name != NO_NAME)
+        for (size_t i = first; i < scene_.instances.size(); ++i) scene_.instances[i].name = name;
 }
 
 void TomlScene::read_shape(const TableReader& table) {
@@ -205,9 +219,11 @@ static void add_light(const TableReader& table, std::vector<Light>& lights,
                       std::map<uint32_t, glm::vec3>& intensities) {
     Light light;
     for_each_field(light, [&]<class Value>(const auto& field, Value& value) {
-        if (field.rules.absent != FROM_CHAPTER) return;
-        require_measure(table, field.key);
-        value = Value(0.0f);
+        if constexpr (std::is_same_v<Value, glm::vec3>) {
+            if (field.rules.absent != FROM_CHAPTER) return;
+            require_measure(table, field.key);
+            value = Value(0.0f);
+        }
     });
     read_fields(table, light);
     keys::ChapterLight stated;
@@ -231,6 +247,7 @@ uint32_t TomlScene::emitter(const TableReader& table) {
     material.base_color = glm::vec3(0.0f);
     material.emission = emission.radiance;
     material.two_sided = faces.two_sided;
+    material.group = emission.group;
     scene_.materials.push_back(material);
     return found->second;
 }

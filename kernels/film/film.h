@@ -45,6 +45,9 @@ INLINE bool film_add(FilmView film, WaveJob job, uint path, float4 radiance) {
     const float sum = radiance.x + radiance.y + radiance.z;
     if (!(fabs(sum) < MAXFLOAT)) {
         film_reject(film, pixel, path_sample(job, path));
+#if ONDE_IDS
+        job.seen[(size_t)path * SEEN_WORDS + SEEN_PRIMITIVE] = SEEN_REJECTED;
+#endif
         return false;
     }
     film.sums[(size_t)(pixel >> 16) * film.width + (pixel & 0xffffu)] +=

@@ -6,12 +6,20 @@
 #include "math/lanes.h"
 #include "shared/frame.h"
 
+// Whether the host counts what samples see.
+#ifndef ONDE_IDS
+    #define ONDE_IDS 0
+#endif
+
 // Path i of a wave works on pixel_order[first_pixel + i / samples], sample
 // first_sample + i % samples; samples is 2^log2_samples.
 typedef struct {
     __global const uint* pixel_order; // x | y << 16
     uint first_pixel, first_sample, log2_samples;
     __global uint* counters; // see COUNTER_BOUNCES
+#if ONDE_IDS
+    __global uint* seen; // SEEN_WORDS a path
+#endif
 } WaveJob;
 
 // How much there is to do, as the first parameters of every kernel of a wave: `count` paths, of
@@ -19,10 +27,18 @@ typedef struct {
 #define LAUNCH_PARAMETERS                                                                          \
     uint count, uint chunk, uint first_pixel, uint first_sample, uint log2_samples
 
+#if ONDE_IDS
+    #define SEEN_PARAMETER , __global uint* seen
+    #define JOB_SEEN(job) job.seen = seen
+#else
+    #define SEEN_PARAMETER
+    #define JOB_SEEN(job)
+#endif
+
 // What is the same for all waves, in the order in which the host binds it.
 #define JOB_PARAMETERS                                                                             \
     __global uint *counters, __global uint *invalid, __global float4 *film_sums,                   \
-        __global const uint *pixel_order
+        __global const uint *pixel_order SEEN_PARAMETER
 
 #define WAVE_JOB(job)                                                                              \
     WaveJob job;                                                                                   \
@@ -30,7 +46,8 @@ typedef struct {
     job.first_pixel = first_pixel;                                                                 \
     job.first_sample = first_sample;                                                               \
     job.log2_samples = log2_samples;                                                               \
-    job.counters = counters
+    job.counters = counters;                                                                       \
+    JOB_SEEN(job)
 
 INLINE natural job_pixel(WaveJob job, natural path) {
     return gather_natural(job.pixel_order, (path >> job.log2_samples) + job.first_pixel);
@@ -46,6 +63,22 @@ INLINE uint path_pixel(WaveJob job, uint path) {
 INLINE uint path_sample(WaveJob job, uint path) {
     return (path & ((1u << job.log2_samples) - 1u)) + job.first_sample;
 }
+
+#if ONDE_IDS
+// Tells the host what the paths in `bits` have met first.
+INLINE void store_seen(WaveJob job, natural id, natural primitive, natural instance, uint bits) {
+    float path[ONDE_WIDTH], met[ONDE_WIDTH], placed[ONDE_WIDTH];
+    spill_real(path, as_real(id));
+    spill_real(met, as_real(primitive));
+    spill_real(placed, as_real(instance));
+    for (; bits; bits &= bits - 1) {
+        const uint k = lowest_bit(bits);
+        __global uint* seen = job.seen + (size_t)as_uint(path[k]) * SEEN_WORDS;
+        seen[SEEN_PRIMITIVE] = as_uint(met[k]);
+        seen[SEEN_INSTANCE] = as_uint(placed[k]);
+    }
+}
+#endif
 
 typedef struct {
     uint begin, end;

@@ -125,6 +125,9 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
                                   alive & (hits.primitive != BVH_NONE));
         if_any (may) hits = estimator_pass(e, state, hits, id, bounce, may);
 #endif
+#if ONDE_IDS
+        if (bounce == 0) store_seen(e.job, id, hits.primitive, hits.instance, bits);
+#endif
 #if ESTIMATOR_TREE
         count_by_level(e.job.counters, COUNTER_EXTENSION, state.level, one_for(alive));
         const mask tree = alive;

@@ -56,4 +56,10 @@ typedef struct {
 #define INVALID_SAMPLE 2
 #define INVALID_SIZE 4
 
+// What a path has met first, for the host: these words a path, where films count ids.
+#define SEEN_PRIMITIVE 0
+#define SEEN_INSTANCE 1
+#define SEEN_WORDS 2
+#define SEEN_REJECTED 0xfffffffeu // for a primitive: the sample was thrown away
+
 #endif

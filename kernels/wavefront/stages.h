@@ -56,8 +56,11 @@ INLINE void stage_shade(Estimator e, WaveView wave, uint bounce, uint begin, uin
         const mask lanes = group_lanes(i, end);
         const natural id = choose(lanes, load_id(wave, i), (natural)(0u));
         const State state = load_state(wave.state, i);
-        const Step step =
-            estimator_vertex(e, state, load_hits(wave_hits(wave), i), id, bounce, lanes);
+        const Hits hits = load_hits(wave_hits(wave), i);
+#if ONDE_IDS
+        if (bounce == 0) store_seen(e.job, id, hits.primitive, hits.instance, mask_bits(lanes));
+#endif
+        const Step step = estimator_vertex(e, state, hits, id, bounce, lanes);
 #if ESTIMATOR_EMITS
         const uint emitting = mask_bits(lanes & nonzero3(step.emitted));
         add_to_sums(wave, id, step.emitted, emitting);

@@ -24,6 +24,7 @@ struct CheckedFilm {
 
     explicit CheckedFilm(const std::filesystem::path& path) : reader(path) {
         for (size_t part = 0; part < reader.parts().size(); part++) reader.check_part(part);
+        reader.check_ids();
         missing = missing_ranges(reader.parts(), reader.header());
     }
 };

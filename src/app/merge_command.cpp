@@ -87,11 +87,11 @@ void write_picture(const MergeOptions& options, FilmMerge& merge) {
     display.exposure = options.exposure.value_or(display.exposure);
     display.tone_map = options.tone_map.value_or(display.tone_map);
     const Image picture = merge.picture();
-    if (is_exr(options.picture))
-        write_exr(options.picture, film_layers(merge, picture, options.full_float, options.names),
-                  metadata);
-    else
-        write_png(options.picture, straight_alpha(picture), display, metadata);
+    if (!is_exr(options.picture))
+        return write_png(options.picture, straight_alpha(picture), display, metadata);
+    const ExrContents all =
+        film_contents(merge, picture, metadata, options.full_float, options.names);
+    write_exr(options.picture, all.layers, all.metadata);
 }
 
 /// Whether a film that is there has samples that the merge has not, or is of another picture.

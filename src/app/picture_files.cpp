@@ -1,9 +1,12 @@
 #include "app/picture_files.h"
 
+#include "app/id_channels.h"
+
 #include "core/log.h"
 #include "image/tone.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace onde::app {
 namespace {
@@ -14,6 +17,7 @@ namespace fs = std::filesystem;
 struct Channel {
     std::string name, letters;
     Image numbers, shown;
+    std::optional<IdLayers> ids{}; ///< instead of letters, numbers and what is shown
 };
 
 /// Passes that Blender knows by other names than ours, capitalised.
@@ -24,6 +28,8 @@ constexpr std::pair<std::string_view, std::string_view> BLENDER_PASSES[] = {
     {"noisy", "Noisy Image"},
     {"denoise-albedo", "Denoising Albedo"},
     {"denoise-normal", "Denoising Normal"}};
+
+const std::string VIEW_LAYER = "ViewLayer.";
 
 std::string blender_pass(std::string_view channel) {
     if (channel.starts_with(GROUP_PREFIX)) // as Cycles calls its light groups
@@ -86,12 +92,26 @@ void add_light_groups(const Session& session, const ShownPicture& shown,
         channels.push_back({group_layer(groups[i]), "RGB", shown.groups[i], shown.groups[i]});
 }
 
+IdLayers id_layers(IdChannel channel, const SeenThings& things, ExrNames names) {
+    return id_layers(channel, things, names == ExrNames::blender ? VIEW_LAYER : "",
+                     exr_names(word_of(channel), "X", names).front());
+}
+
+Channel id_channel(Session& session, IdChannel channel, ExrNames names) {
+    const RenderOptions& options = session.options();
+    const IdNames of_things = id_names(session.scene());
+    const SeenThings things{session.film().ids(), of_things, options.width, options.height};
+    return {std::string(word_of(channel)), {}, {}, {}, id_layers(channel, things, names)};
+}
+
 std::vector<Channel> requested_channels(Session& session, const RenderRequest& request,
                                         const ShownPicture& shown) {
     std::vector<Channel> channels;
     for (const std::string& aov : requested_aovs(request, session.scene())) {
         if (aov == LIGHT_GROUPS)
             add_light_groups(session, shown, channels);
+        else if (const auto id = value_of<IdChannel>(aov))
+            channels.push_back(id_channel(session, *id, request.exr_names));
         else
             channels.push_back(aov == TRAVERSAL_COST ? traversal_cost(session)
                                                      : film_channel(session, *find_channel(aov)));
@@ -99,19 +119,27 @@ std::vector<Channel> requested_channels(Session& session, const RenderRequest& r
     return channels;
 }
 
+void add_ids(const IdLayers& ids, ExrContents& all) {
+    all.layers.insert(all.layers.end(), ids.layers.begin(), ids.layers.end());
+    all.metadata.insert(ids.metadata.begin(), ids.metadata.end());
+}
+
 /// The picture first, and as it was before it was denoised, then the channels.
-std::vector<ExrLayer> exr_layers(const ShownPicture& shown, const std::vector<Channel>& channels,
-                                 const RenderRequest& request) {
+ExrContents exr_contents(const ShownPicture& shown, const std::vector<Channel>& channels,
+                         ImageMetadata metadata, const RenderRequest& request) {
     const ExrDepth depth = request.full_float ? ExrDepth::full_float : ExrDepth::half_float;
     const std::string_view letters = shown.picture.channels == 4 ? "RGBA" : "RGB";
-    std::vector<ExrLayer> layers{
-        exr_layer(RADIANCE.name, letters, shown.picture, depth, request.exr_names)};
+    ExrContents all{{exr_layer(RADIANCE.name, letters, shown.picture, depth, request.exr_names)},
+                    std::move(metadata)};
     if (!shown.denoiser.empty())
-        layers.push_back({shown.noisy, exr_names("noisy", letters, request.exr_names), depth});
+        all.layers.push_back({shown.noisy, exr_names("noisy", letters, request.exr_names), depth});
     for (const Channel& channel : channels)
-        layers.push_back(
-            exr_layer(channel.name, channel.letters, channel.numbers, depth, request.exr_names));
-    return layers;
+        if (channel.ids)
+            add_ids(*channel.ids, all);
+        else
+            all.layers.push_back(exr_layer(channel.name, channel.letters, channel.numbers, depth,
+                                           request.exr_names));
+    return all;
 }
 
 } // namespace
@@ -122,8 +150,8 @@ void tell_written(const fs::path& path) {
 
 std::vector<std::string> exr_names(std::string_view channel, std::string_view letters,
                                    ExrNames names) {
-    const std::string layer = names == ExrNames::plain ? plain_layer(channel)
-                                                       : "ViewLayer." + blender_pass(channel) + ".";
+    const std::string layer =
+        names == ExrNames::plain ? plain_layer(channel) : VIEW_LAYER + blender_pass(channel) + ".";
     std::vector<std::string> all;
     for (const char letter : letters) all.push_back(layer + letter);
     return all;
@@ -139,8 +167,8 @@ ExrLayer exr_layer(std::string_view channel, std::string_view letters, const Ima
             is_light ? depth_of_light : ExrDepth::full_float};
 }
 
-std::vector<ExrLayer> film_layers(FilmMerge& merge, const Image& picture, bool full_float,
-                                  ExrNames names) {
+ExrContents film_contents(FilmMerge& merge, const Image& picture, ImageMetadata metadata,
+                          bool full_float, ExrNames names) {
     const FilmIdentity& film = merge.header().identity;
     std::vector<std::string> groups;
     for (const std::string& group : film.light_groups) groups.push_back(group_layer(group));
@@ -153,10 +181,16 @@ std::vector<ExrLayer> film_layers(FilmMerge& merge, const Image& picture, bool f
     const std::vector<Image> images = merge.develop(channels);
     const ExrDepth depth = full_float ? ExrDepth::full_float : ExrDepth::half_float;
     const std::string_view letters = picture.channels == 4 ? "RGBA" : "RGB";
-    std::vector<ExrLayer> layers{exr_layer(RADIANCE.name, letters, picture, depth, names)};
+    ExrContents all{{exr_layer(RADIANCE.name, letters, picture, depth, names)},
+                    std::move(metadata)};
     for (size_t i = 0; i < channels.size(); i++)
-        layers.push_back(exr_layer(channels[i].name, channels[i].letters, images[i], depth, names));
-    return layers;
+        all.layers.push_back(
+            exr_layer(channels[i].name, channels[i].letters, images[i], depth, names));
+    const IdCounts counts = merge.ids();
+    const SeenThings things{counts, merge.header().names, film.width, film.height};
+    for (const EnumWord<IdChannel>& line : WORDS_OF<IdChannel>)
+        if (film.has_ids()) add_ids(id_layers(line.value, things, names), all);
+    return all;
 }
 
 void write_picture_files(const std::vector<fs::path>& paths, Outputs& outputs, Session& session,
@@ -164,6 +198,9 @@ void write_picture_files(const std::vector<fs::path>& paths, Outputs& outputs, S
                          const ImageMetadata& metadata) {
     const Display display = requested_display(session, request);
     const std::vector<Channel> channels = requested_channels(session, request, shown);
+    const bool has_exr = std::ranges::any_of(paths, is_exr);
+    const ExrContents all =
+        has_exr ? exr_contents(shown, channels, metadata, request) : ExrContents{};
     const auto write = [&](const fs::path& path, const auto& write_to) {
         outputs.attempt([&] {
             write_to(path);
@@ -172,13 +209,14 @@ void write_picture_files(const std::vector<fs::path>& paths, Outputs& outputs, S
     };
     for (const fs::path& path : paths) {
         write(path, [&](const fs::path& to) {
-            if (is_exr(to)) return write_exr(to, exr_layers(shown, channels, request), metadata);
+            if (is_exr(to)) return write_exr(to, all.layers, all.metadata);
             write_png(to, straight_alpha(shown.picture), display, metadata);
         });
         if (is_exr(path) || is_standard_output(path)) continue;
         for (const Channel& channel : channels)
-            write(aov_path(path, channel.name),
-                  [&](const fs::path& to) { write_png(to, channel.shown, {}, metadata); });
+            write(aov_path(path, channel.name), [&](const fs::path& to) {
+                write_png(to, channel.ids ? channel.ids->shown : channel.shown, {}, metadata);
+            });
     }
 }
 

@@ -19,9 +19,15 @@ std::vector<std::string> exr_names(std::string_view channel, std::string_view le
 ExrLayer exr_layer(std::string_view channel, std::string_view letters, const Image& numbers,
                    ExrDepth depth_of_light, ExrNames names);
 
-/// The picture of a film, and every AOV that it has.
-std::vector<ExrLayer> film_layers(FilmMerge& film, const Image& picture, bool full_float,
-                                  ExrNames names);
+/// What an .exr holds.
+struct ExrContents {
+    std::vector<ExrLayer> layers;
+    ImageMetadata metadata;
+};
+
+/// The picture of a film, and every AOV that it has; metadata: beside what its AOVs need.
+ExrContents film_contents(FilmMerge& film, const Image& picture, ImageMetadata metadata,
+                          bool full_float, ExrNames names);
 
 /// Logs it, but for standard output.
 void tell_written(const std::filesystem::path& path);

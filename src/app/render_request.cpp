@@ -1,6 +1,7 @@
 #include "app/render_request.h"
 
 #include "app/film_request.h"
+#include "app/id_channels.h"
 #include "app/sequence.h"
 
 #include "core/error.h"
@@ -167,7 +168,8 @@ IntegratorKind integrator_of(const RenderRequest& request, const RenderSettings&
 /// Whether only path tracing has it.
 bool is_of_paths(const std::string& aov) {
     const FilmChannel* channel = find_channel(aov);
-    return aov == LIGHT_GROUPS || (channel && channel->sums < AOV_COUNT);
+    return aov == LIGHT_GROUPS || value_of<IdChannel>(aov) ||
+           (channel && channel->sums < AOV_COUNT);
 }
 
 /// What the denoiser is to be, if there is one. One that only the scene asks for is for path
@@ -388,6 +390,7 @@ Session open_session(Machine& machine, Scene scene, const RenderRequest& request
         if (const FilmChannel* channel = find_channel(aov); channel && channel->sums < AOV_COUNT)
             choices.aovs |= 1u << channel->sums;
         if (aov == LIGHT_GROUPS) choices.light_groups = true;
+        if (value_of<IdChannel>(aov)) choices.ids = true;
     }
     const DenoiserOptions denoiser = requested_denoiser(request, scene.settings);
     if (denoiser.denoiser != Denoiser::off) choices.aovs |= denoiser_aovs();
@@ -407,6 +410,7 @@ std::vector<std::string> aov_words() {
     std::vector<std::string> words{TRAVERSAL_COST, LIGHT_GROUPS};
     for (const FilmChannel& channel : FILM_CHANNELS)
         if (channel.name != RADIANCE.name) words.emplace_back(channel.name);
+    for (const std::string_view word : all_words<IdChannel>()) words.emplace_back(word);
     return words;
 }
 

@@ -67,11 +67,13 @@ void write_picture(const std::filesystem::path& path, const Session& session,
     outcome.samples = merge.samples();
     const ImageMetadata metadata =
         picture_metadata(session, merge.header().identity.scene, outcome);
-    if (is_exr(path))
-        write_exr(path, film_layers(merge, picture, request.full_float, request.exr_names),
-                  metadata);
-    else
+    if (is_exr(path)) {
+        const ExrContents all =
+            film_contents(merge, picture, metadata, request.full_float, request.exr_names);
+        write_exr(path, all.layers, all.metadata);
+    } else {
         write_png(path, straight_alpha(picture), requested_display(session, request), metadata);
+    }
     tell_written(path);
 }
 

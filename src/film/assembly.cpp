@@ -15,6 +15,15 @@ void copy_pixels(const FilmContents& film, const Rectangle& part, const FilmSums
         }
 }
 
+void copy_ids(uint32_t width, const Rectangle& part, const IdCounts& from, IdCounts& to) {
+    if (from.empty()) return;
+    to.resize(from.size());
+    for (uint32_t y = part.y; y < part.end_y(); y++) {
+        const auto first = ptrdiff_t(size_t(y) * width + part.x);
+        std::copy_n(from.begin() + first, part.width, to.begin() + first);
+    }
+}
+
 } // namespace
 
 FilmAssembly::FilmAssembly(FilmContents begun, const Rectangle& window)
@@ -27,6 +36,7 @@ void FilmAssembly::add(const Rectangle& part, const FilmContents& unit) {
                  unit.extent.end - unit.extent.begin};
     copy_pixels(contents_, part, unit.parts.empty() ? unit.block : unit.parts.front().sums,
                 block.sums);
+    copy_ids(contents_.width, part, unit.ids, block.ids);
     block.missing -= part.pixels();
     for (auto next = blocks_.begin(); next != blocks_.end() && next->second.missing == 0 &&
                                       next->first * FILM_BLOCK == contents_.extent.end;
@@ -37,6 +47,8 @@ void FilmAssembly::add(const Rectangle& part, const FilmContents& unit) {
 void FilmAssembly::append(Block block) {
     const uint32_t index = contents_.extent.end / FILM_BLOCK;
     contents_.extent.end += block.samples;
+    for (size_t i = 0; i < block.ids.size(); i++)
+        for (const IdCount& seen : block.ids[i]) add_id(contents_.ids[i], seen.id, seen.count);
     if (block.samples == FILM_BLOCK)
         add_part(contents_.parts, {{0, index}, std::move(block.sums)});
     else

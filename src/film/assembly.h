@@ -26,6 +26,7 @@ class FilmAssembly {
         FilmSums sums;
         uint64_t missing = 0; ///< pixels
         uint32_t samples = 0;
+        IdCounts ids{};
     };
     void append(Block block);
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/hash.h"
+#include "film/id_rows.h"
 #include "film/identity.h"
 #include "film/planes.h"
 
@@ -31,6 +32,9 @@ struct FilmRange {
 /// A whole node of a window.
 FilmRange range_of(const FilmNode& node, const Rectangle& window);
 
+/// Of the ids of a file: what holds the windows of its parts.
+Rectangle ids_window(std::span<const FilmRange> parts);
+
 /// "samples 64 to 127 of 320x240 pixels from 0,0"
 std::string words_of(const FilmRange& range);
 
@@ -56,7 +60,16 @@ class FilmReader {
     /// Row y of the picture, of the window's width.
     void read_row(size_t part, uint32_t y, FilmRow& sums);
 
+    /// The window of the ids; none in films that do not count them.
+    std::optional<Rectangle> ids_window() const;
+    /// The same as of parts.
+    void check_ids();
+    void read_ids(uint32_t y, std::vector<PixelIds>& ids);
+
   private:
+    const ExrPart& ids_part() const { return file_.parts().back(); }
+    void check_sum(size_t part, size_t words_of_row);
+
     std::filesystem::path path_;
     ExrRowReader file_;
     FilmHeader header_;
@@ -67,16 +80,22 @@ class FilmReader {
 
 class FilmWriter {
   public:
+    /// Of a film that counts ids: the most of a pixel.
     FilmWriter(const std::filesystem::path& path, const FilmHeader& header,
-               std::vector<FilmRange> parts);
+               std::vector<FilmRange> parts, size_t most_ids = 0);
 
     /// The rows of the first part from the top, then those of the next, and so on.
     void write_row(size_t part, uint32_t y, std::span<const cl_float4> sums);
+    /// Behind all of them, the ids of the rows of ids_window(), from the top.
+    void write_ids(uint32_t y, std::span<const PixelIds> ids);
     /// The file takes its place.
     void finish();
 
   private:
+    void write_words(size_t part, uint32_t y);
+
     PlaneChannels channels_;
+    size_t id_slots_;
     std::vector<FilmRange> ranges_;
     std::vector<ExrPart> parts_;
     std::vector<Hasher> hashes_;

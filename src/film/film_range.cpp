@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace onde {
@@ -18,6 +19,19 @@ FilmRange range_of(const FilmNode& node, const Rectangle& window) {
     return {.window = window,
             .first = uint32_t(node.first_block() * FILM_BLOCK),
             .count = FILM_BLOCK << node.level};
+}
+
+Rectangle ids_window(std::span<const FilmRange> parts) {
+    Rectangle all = parts.front().window;
+    for (const FilmRange& part : parts) {
+        const uint32_t end_x = std::max(all.end_x(), part.window.end_x());
+        const uint32_t end_y = std::max(all.end_y(), part.window.end_y());
+        all.x = std::min(all.x, part.window.x);
+        all.y = std::min(all.y, part.window.y);
+        all.width = end_x - all.x;
+        all.height = end_y - all.y;
+    }
+    return all;
 }
 
 std::string words_of(const FilmRange& range) {

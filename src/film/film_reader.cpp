@@ -62,24 +62,60 @@ FilmReader::FilmReader(const std::filesystem::path& path)
       channels_(channels_of(header_.identity)) {
     if (file_.width() != header_.identity.width || file_.height() != header_.identity.height)
         throw_damaged(path, "its picture has two sizes");
-    for (const ExrPart& part : file_.parts()) {
+    const bool has_ids = header_.identity.has_ids();
+    for (size_t i = 0; i + has_ids < file_.parts().size(); i++) {
+        const ExrPart& part = file_.parts()[i];
         if (part.channels != channels_.channels())
             throw_damaged(path, "its channels are not those of its AOVs");
         ranges_.push_back(read_range(path, part));
     }
+    if (has_ids && (ranges_.empty() || ids_part().name != IDS_PART ||
+                    ids_part().window != onde::ids_window(ranges_) ||
+                    ids_part().channels != id_channels(ids_part().channels.size() / 3)))
+        throw_damaged(path, "its ids are not those of its parts");
 }
 
-void FilmReader::check_part(size_t index) {
+void FilmReader::check_sum(size_t index, size_t words_of_row) {
     const ExrPart& part = file_.parts().at(index);
     const auto told = part.texts.find(FILM_CHECKSUM);
     Hasher hasher = hash_of_header(part);
-    words_.resize(channels_.count() * part.window.width);
+    words_.resize(words_of_row);
     for (uint32_t y = part.window.y; y < part.window.end_y(); y++) {
         file_.read_row(index, y, words_);
         hasher.bytes(words_.data(), words_.size() * sizeof(words_[0]));
     }
     if (told == part.texts.end() || told->second != hasher.hex())
         throw_damaged(path_, "its checksum is another");
+}
+
+void FilmReader::check_part(size_t part) {
+    check_sum(part, channels_.count() * ranges_.at(part).window.width);
+}
+
+std::optional<Rectangle> FilmReader::ids_window() const {
+    if (!header_.identity.has_ids()) return std::nullopt;
+    return ids_part().window;
+}
+
+void FilmReader::check_ids() {
+    if (ids_window()) check_sum(ranges_.size(), ids_part().channels.size() * ids_window()->width);
+}
+
+void FilmReader::read_ids(uint32_t y, std::vector<PixelIds>& ids) {
+    const size_t slots = ids_part().channels.size() / 3;
+    ids.resize(ids_part().window.width);
+    words_.resize(id_words(slots, ids.size()));
+    file_.read_row(ranges_.size(), y, words_);
+    try {
+        unpack_ids(words_, slots, ids);
+    } catch (const std::runtime_error& problem) {
+        throw_damaged(path_, problem.what());
+    }
+    for (const PixelIds& pixel : ids)
+        for (const IdCount& seen : pixel)
+            if (seen.id != NOTHING_SEEN && (seen.id.object >= header_.names.objects.size() ||
+                                            seen.id.material >= header_.names.materials.size()))
+                throw_damaged(path_, "its ids have no names");
 }
 
 void FilmReader::read_row(size_t part, uint32_t y, FilmRow& sums) {

@@ -1,12 +1,14 @@
 #include "film/identity.h"
 
 #include "core/error.h"
+#include "core/hash.h"
 #include "film/planes.h"
 #include "gpu/device.h"
 #include "scene/light_groups.h"
 #include "scene/load.h"
 
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -90,6 +92,31 @@ class Texts {
     const HeaderTexts& texts_;
 };
 
+/// Calls visit(key, names) for each list of names.
+template <class Names, class Visit>
+void for_each_list(Names& names, const Visit& visit) {
+    visit(PREFIX + "objects", names.objects);
+    visit(PREFIX + "assets", names.assets);
+    visit(PREFIX + "materials", names.materials);
+}
+
+/// JSON, as any reader of headers can make use of.
+std::string json_of(const std::vector<std::string>& names) {
+    return nlohmann::json(names).dump();
+}
+
+std::vector<std::string> names_of(const std::string& key, const std::string& text) {
+    const auto is_flat = [](int depth, auto, auto&) { return depth <= 1; };
+    const nlohmann::json list = nlohmann::json::parse(text, is_flat, false);
+    std::vector<std::string> names;
+    if (!list.is_array()) throw_meaningless(key, text);
+    for (const nlohmann::json& name : list) {
+        if (!name.is_string()) throw_meaningless(key, text);
+        names.push_back(name.get<std::string>());
+    }
+    return names;
+}
+
 template <class Member>
 bool is_aovs(Member member) {
     if constexpr (std::is_same_v<Member, uint32_t FilmIdentity::*>)
@@ -99,12 +126,33 @@ bool is_aovs(Member member) {
 
 } // namespace
 
+std::string hash_of_names(const IdNames& names) {
+    Hasher hasher;
+    for (const auto& list : {names.objects, names.assets, names.materials}) {
+        hasher.value(uint64_t(list.size()));
+        for (const std::string& name : list) hasher.text(name);
+    }
+    return hasher.hex();
+}
+
 FilmIdentity film_identity(const Scene& scene, const RenderOptions& options,
                            const BvhOptions& bvh) {
-    return {scene_hash(scene),  options.camera,         options.width, options.height,
-            options.depth,      options.roulette_start, options.seed,  options.filter,
-            options.integrator, options.background,     options.aovs,  options.light_groups,
-            options.clamp,      options.noise,          options.noise_exposure,
+    return {scene_hash(scene),
+            options.camera,
+            options.width,
+            options.height,
+            options.depth,
+            options.roulette_start,
+            options.seed,
+            options.filter,
+            options.integrator,
+            options.background,
+            options.aovs,
+            options.light_groups,
+            options.ids ? hash_of_names(id_names(scene)) : NO_IDS,
+            options.clamp,
+            options.noise,
+            options.noise_exposure,
             bvh.watertight};
 }
 
@@ -137,6 +185,10 @@ HeaderTexts texts_of(const FilmHeader& header) {
     for_each_field(header.maker, [&](const auto& field, const std::string& value) {
         texts[key_of(name_of(field))] = value;
     });
+    if (header.identity.has_ids())
+        for_each_list(header.names, [&](const std::string& key, const auto& names) {
+            texts[key] = json_of(names);
+        });
     texts[PREFIX + "device"] = header.device;
     texts[PREFIX + "samples"] = text_of(header.samples);
     texts[PREFIX + "exposure"] = text_of(header.display.exposure);
@@ -161,6 +213,14 @@ FilmHeader header_of(const HeaderTexts& all) {
     for_each_field(header.maker, [&](const auto& field, std::string& value) {
         texts.read(key_of(name_of(field)), value);
     });
+    if (header.identity.has_ids()) {
+        for_each_list(header.names, [&](const std::string& key, auto& names) {
+            names = names_of(key, texts.text(key));
+        });
+        if (header.identity.ids != hash_of_names(header.names) ||
+            header.names.objects.size() != header.names.assets.size())
+            throw std::runtime_error("its names have another hash");
+    }
     texts.read(PREFIX + "device", header.device);
     texts.read(PREFIX + "samples", header.samples);
     texts.read(PREFIX + "exposure", header.display.exposure);

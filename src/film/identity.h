@@ -6,11 +6,15 @@
 #include "render/film_contents.h"
 #include "render/options.h"
 #include "scene/fields.h"
+#include "scene/id_names.h"
 
 #include <map>
 #include <string>
 
 namespace onde {
+
+/// Of films that do not count what their samples see.
+inline constexpr const char* NO_IDS = "none";
 
 /// Films of equal identities hold samples of one picture.
 struct FilmIdentity {
@@ -21,9 +25,11 @@ struct FilmIdentity {
     Background background;
     uint32_t aovs;
     std::vector<std::string> light_groups; ///< of which the film has the light, or empty
+    std::string ids;                       ///< a hash of the names of what it counts, or NO_IDS
     float clamp, noise, noise_exposure;
     bool watertight;
 
+    bool has_ids() const { return ids != NO_IDS; }
     FilmPlanes planes() const { return {aovs, uint32_t(light_groups.size())}; }
 };
 
@@ -44,8 +50,12 @@ constexpr auto fields_of(TypeTag<FilmIdentity>) {
                       field_without_key(&I::noise_exposure, "exposure of noise"),
                       field_without_key(&I::aovs, "set of AOVs"),
                       field_without_key(&I::light_groups, "list of light groups"),
+                      field_without_key(&I::ids, "hash of names"),
                       field_without_key(&I::watertight, "triangle test")};
 }
+
+/// FilmIdentity::ids of films that count things of these names.
+std::string hash_of_names(const IdNames& names);
 
 FilmIdentity film_identity(const Scene& scene, const RenderOptions& options, const BvhOptions& bvh);
 
@@ -72,6 +82,7 @@ struct FilmHeader {
     std::string device;   ///< for people
     uint32_t samples = 0; ///< of the whole picture, of which a film may have a part
     Display display{};    ///< how the scene is shown
+    IdNames names{};      ///< of what the film counts
 };
 
 /// Throws InputError, with what differs, unless samples of the one film belong to the other. `name`

@@ -47,6 +47,26 @@ void for_each_row(const KeptFilm& film, const FilmSums& sums, const Row& row) {
     }
 }
 
+void write_ids(const KeptFilm& film, FilmWriter& file) {
+    const Rectangle& window = film.window;
+    for (uint32_t y = window.y; y < window.end_y() && !film.contents.ids.empty(); y++)
+        file.write_ids(y, std::span(film.contents.ids)
+                              .subspan(size_t(y) * film.contents.width + window.x, window.width));
+}
+
+void read_ids(FilmReader& file, KeptFilm& film) {
+    if (!file.ids_window()) return;
+    file.check_ids();
+    FilmContents& contents = film.contents;
+    contents.ids.resize(size_t(contents.width) * contents.height);
+    std::vector<PixelIds> row;
+    for (uint32_t y = film.window.y; y < film.window.end_y(); y++) {
+        file.read_ids(y, row);
+        std::ranges::move(row, contents.ids.begin() +
+                                   ptrdiff_t(size_t(y) * contents.width + film.window.x));
+    }
+}
+
 FilmSums read_sums(FilmReader& file, size_t part, const KeptFilm& film) {
     const uint32_t width = film.contents.width, planes = film.contents.planes.count();
     FilmSums sums(size_t(planes) * film.contents.height * width);
@@ -86,10 +106,11 @@ void write_film(const std::filesystem::path& path, const KeptFilm& film) {
                          path.string(), word_of(film.header.identity.integrator));
     const Pieces pieces = pieces_of(film);
     if (pieces.ranges.empty()) throw InputError("{}: the film has no samples", path.string());
-    FilmWriter file(path, film.header, pieces.ranges);
+    FilmWriter file(path, film.header, pieces.ranges, most_ids(film.contents.ids));
     for (size_t part = 0; part < pieces.ranges.size(); part++)
         for_each_row(film, *pieces.sums[part],
                      [&](uint32_t y, const FilmRow& pixels) { file.write_row(part, y, pixels); });
+    write_ids(film, file);
     file.finish();
 }
 
@@ -115,6 +136,7 @@ KeptFilm read_film(const std::filesystem::path& path, const FilmHeader& wanted) 
         contents.extent.pass = range.pass;
         contents.extent.pixels = range.pass_pixels;
     }
+    read_ids(file, film);
     if (contents.block.empty())
         contents.block.resize(size_t(contents.planes.count()) * contents.height * contents.width);
     return film;

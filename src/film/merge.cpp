@@ -5,6 +5,7 @@
 #include "image/tone.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace onde {
@@ -67,6 +68,33 @@ void FilmMerge::add_file(size_t file) {
         reader.check_part(part);
         sources_.push_back({file, part, reader.parts()[part]});
     }
+    reader.check_ids();
+    if (const auto window = reader.ids_window()) id_windows_.push_back(*window);
+}
+
+std::vector<PixelIds> FilmMerge::ids_of(uint32_t y, const Rectangle& window) {
+    std::vector<PixelIds> all(window.width), row;
+    for (size_t file = 0; file < id_windows_.size(); file++) {
+        const Rectangle& own = id_windows_[file];
+        if (y < own.y || y >= own.end_y()) continue;
+        open(file).read_ids(y, row);
+        for (size_t x = 0; x < row.size(); x++)
+            for (const IdCount& ids : row[x]) add_id(all[own.x - window.x + x], ids.id, ids.count);
+    }
+    return all;
+}
+
+IdCounts FilmMerge::ids() {
+    const Rectangle all{0, 0, header_.identity.width, header_.identity.height};
+    IdCounts counts;
+    for (uint32_t y = 0; y < all.height && !id_windows_.empty(); y++)
+        std::ranges::move(ids_of(y, all), std::back_inserter(counts));
+    return counts;
+}
+
+void FilmMerge::write_ids(FilmWriter& file, const Rectangle& window) {
+    for (uint32_t y = window.y; y < window.end_y() && !id_windows_.empty(); y++)
+        file.write_ids(y, ids_of(y, window));
 }
 
 FilmReader& FilmMerge::open(size_t file) {
@@ -155,7 +183,11 @@ void FilmMerge::write(const std::filesystem::path& path) {
             throw InputError("{}: was interrupted within {}; go on with it by --resume first",
                              files_[source.file].string(), words_of(source.range));
     const uint32_t planes = header_.identity.planes().count();
-    FilmWriter file(path, header_, joined_);
+    const Rectangle window = ids_window(joined_);
+    size_t most = 0; // which decides how many channels the file has
+    for (uint32_t y = window.y; y < window.end_y() && !id_windows_.empty(); y++)
+        most = std::max(most, most_ids(ids_of(y, window)));
+    FilmWriter file(path, header_, joined_, most);
     for (size_t part = 0; part < joined_.size(); part++) {
         const FilmRange& range = joined_[part];
         FilmRow row(size_t(planes) * range.window.width);
@@ -170,6 +202,7 @@ void FilmMerge::write(const std::filesystem::path& path) {
             }
         });
     }
+    write_ids(file, window);
     file.finish();
 }
 

@@ -29,6 +29,8 @@ class FilmMerge {
     void write(const std::filesystem::path& path);
     /// The picture of all, as Session::picture() has it; pixels without a sample are black.
     Image picture();
+    /// What the samples of all have seen, where they are counted.
+    IdCounts ids();
     /// Some of its channels, which the film has.
     std::vector<Image> develop(const std::vector<FilmChannel>& channels);
 
@@ -40,6 +42,9 @@ class FilmMerge {
     using Sources = std::vector<const Source*>;
 
     void add_file(size_t file);
+    /// Those of row y, from x = window.x on.
+    std::vector<PixelIds> ids_of(uint32_t y, const Rectangle& window);
+    void write_ids(FilmWriter& file, const Rectangle& window);
     FilmReader& open(size_t file);
     /// Those that have samples of a node of the tree, of pixels in the band.
     Sources sources_of(const FilmRange& range, const Rectangle& band) const;
@@ -52,6 +57,7 @@ class FilmMerge {
     FilmHeader header_;
     size_t first_name_ = 0; ///< file of the header
     std::vector<Source> sources_;
+    std::vector<Rectangle> id_windows_; ///< by file, where ids are counted
     std::vector<FilmRange> joined_;
     std::list<std::pair<size_t, FilmReader>> open_; ///< the last ones that were used
 };

@@ -22,7 +22,8 @@ namespace {
 
 using Imf::Header;
 
-constexpr float MAX_HALF = 65504.0f;
+constexpr float MAX_HALF = 65504.0f, MAX_FLOAT = std::numeric_limits<float>::max();
+constexpr float MAX_WHOLE = 4294967040.0f; // the largest float below 2^32
 
 class MemoryOut : public Imf::OStream {
   public:
@@ -49,6 +50,7 @@ struct Source {
     Imf::FrameBuffer buffer;
     std::deque<std::vector<Imath::half>> halves;
     std::deque<std::vector<float>> floats;
+    std::deque<std::vector<uint32_t>> naturals;
 };
 
 constexpr Imf::PixelType pixel_type(Imath::half) {
@@ -57,15 +59,18 @@ constexpr Imf::PixelType pixel_type(Imath::half) {
 constexpr Imf::PixelType pixel_type(float) {
     return Imf::FLOAT;
 }
+constexpr Imf::PixelType pixel_type(uint32_t) {
+    return Imf::UINT;
+}
 
-/// Adds a layer of samples of type T, which hold at most `most`.
+/// Adds a layer of samples of type T, which hold `least` to `most`.
 template <class T>
-void add_layer(Source& source, std::deque<std::vector<T>>& kept, const ExrLayer& layer,
+void add_layer(Source& source, std::deque<std::vector<T>>& kept, const ExrLayer& layer, float least,
                float most) {
     const Image& image = layer.image;
     std::vector<T>& samples = kept.emplace_back();
     samples.reserve(image.pixels.size());
-    for (const float value : image.pixels) samples.push_back(T(std::clamp(value, -most, most)));
+    for (const float value : image.pixels) samples.push_back(T(std::clamp(value, least, most)));
     const size_t stride = sizeof(T) * image.channels, row = stride * image.width;
     T* first = samples.data();
     for (const std::string& name : layer.names) {
@@ -80,11 +85,17 @@ void add_layer(Source& source, std::deque<std::vector<T>>& kept, const ExrLayer&
 std::string encode(std::span<const ExrLayer> layers, const ImageMetadata& metadata) {
     limit_exr_threads();
     Source source;
-    for (const ExrLayer& layer : layers)
-        if (layer.depth == ExrDepth::half_float)
-            add_layer(source, source.halves, layer, MAX_HALF);
-        else
-            add_layer(source, source.floats, layer, std::numeric_limits<float>::max());
+    for (const ExrLayer& layer : layers) switch (layer.depth) {
+        case ExrDepth::half_float:
+            add_layer(source, source.halves, layer, -MAX_HALF, MAX_HALF);
+            break;
+        case ExrDepth::full_float:
+            add_layer(source, source.floats, layer, -MAX_FLOAT, MAX_FLOAT);
+            break;
+        case ExrDepth::whole_number:
+            add_layer(source, source.naturals, layer, 0.0f, MAX_WHOLE);
+            break;
+        }
     const uint32_t height = layers.front().image.height;
     Header header(int(layers.front().image.width), int(height));
     header.compression() = Imf::ZIP_COMPRESSION;

@@ -52,7 +52,7 @@ struct ImageSize {
 ImageSize image_size(std::span<const uint8_t> file, const std::string& name,
                      uint64_t max_pixels = MOST_PIXELS);
 
-enum class ExrDepth { half_float, full_float };
+enum class ExrDepth { half_float, full_float, whole_number };
 
 /// Some channels of a picture of many: of pixel i, image.pixels[k + i * image.channels] is the
 /// channel called names[k].

@@ -12,7 +12,10 @@ JobBuffers::JobBuffers(gpu::BufferList& buffers, const RenderOptions& options)
     : frame(buffers.add<FrameRecord>("frame", 1)),
       counters(buffers.add<uint32_t>("ray counters", COUNTER_SIZE)),
       totals(buffers.add<uint64_t>("ray totals", COUNTER_SIZE)),
-      pixel_order(buffers.add<uint32_t>("pixel order", size_t(options.width) * options.height)) {}
+      pixel_order(buffers.add<uint32_t>("pixel order", size_t(options.width) * options.height)) {
+    if (options.ids)
+        seen = buffers.add<uint32_t>("first hits", size_t(options.settings.wave_size) * SEEN_WORDS);
+}
 
 KernelArguments::KernelArguments(const EngineContext& context)
     : device_(context.device()), scene_(context.scene), film_(context.film),
@@ -31,7 +34,9 @@ void KernelArguments::begin_picture(const Camera& camera) {
 uint32_t KernelArguments::bind(gpu::Kernel& kernel, uint32_t first) const {
     kernel.set(first, job_.frame);
     const uint32_t job = scene_.bind(kernel, first + 1);
-    return kernel.set_from(job, job_.counters, film_.invalid(), film_.sums(), job_.pixel_order);
+    const uint32_t next =
+        kernel.set_from(job, job_.counters, film_.invalid(), film_.sums(), job_.pixel_order);
+    return options_.ids ? kernel.set_from(next, job_.seen) : next;
 }
 
 void KernelArguments::set_wave(gpu::Kernel& kernel, const Wave& wave, uint32_t chunk) const {
@@ -43,6 +48,10 @@ void KernelArguments::tally(gpu::Program& program, gpu::Profiler* profiler) cons
     gpu::Kernel& kernel = program.kernel("tally");
     kernel.set_from(0, uint32_t(COUNTER_SIZE), job_.counters, job_.totals);
     kernel.launch(COUNTER_SIZE, profiler);
+}
+
+std::vector<uint32_t> KernelArguments::seen(uint32_t paths) const {
+    return job_.seen.read(device_, 0, size_t(paths) * SEEN_WORDS);
 }
 
 std::vector<uint64_t> KernelArguments::counters() const {
@@ -63,6 +72,7 @@ gpu::Program build_engine(const EngineContext& context, const EstimatorShape& es
         fmt::format("ONDE_INTERLEAVE={:d}", context.scene.bvh_bytes() > settings.interleave_above));
     request.defines.push_back(fmt::format("ONDE_AOVS={}", options.aovs));
     request.defines.push_back(fmt::format("ONDE_GROUPS={}", options.light_groups.size()));
+    request.defines.push_back(fmt::format("ONDE_IDS={:d}", options.ids));
     request.defines.push_back(
         fmt::format("ONDE_BACKGROUND={:d}", options.background == Background::environment));
     request.defines.insert(request.defines.end(), estimator.defines.begin(),

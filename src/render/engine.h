@@ -46,6 +46,7 @@ struct JobBuffers {
     gpu::Buffer<uint32_t> counters;
     gpu::Buffer<uint64_t> totals;
     gpu::Buffer<uint32_t> pixel_order;
+    gpu::Buffer<uint32_t> seen; ///< of films that count ids
 
     JobBuffers(gpu::BufferList& buffers, const RenderOptions& options);
 };
@@ -72,6 +73,8 @@ class KernelArguments {
 
     /// Totals by [row * COUNTER_BOUNCES + bounce].
     std::vector<uint64_t> counters() const;
+    /// What the first paths of the last wave have met, SEEN_WORDS each; see options.ids.
+    std::vector<uint32_t> seen(uint32_t paths) const;
 
   private:
     const gpu::Device& device_;
@@ -96,6 +99,8 @@ class EngineDriver {
     /// The most samples of one pixel a wave may have.
     virtual uint32_t sample_capacity() const = 0;
     virtual std::vector<uint64_t> counters() const = 0;
+    /// Of the last wave; see KernelArguments.
+    virtual std::vector<uint32_t> seen(uint32_t paths) const = 0;
     virtual const gpu::BuildReport& build_report() const = 0;
 };
 

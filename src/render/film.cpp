@@ -54,6 +54,7 @@ Film::Film(gpu::Programs& programs, gpu::BufferList& buffers, const RenderOption
       sums_(make_sums(buffers, options)),
       invalid_(buffers.add<uint32_t>("invalid samples", INVALID_SIZE)),
       pass_pixels_(width_ * height_) {
+    if (options.ids) ids_.resize(pixels());
     if (has_several_blocks(options)) build();
     clear();
 }
@@ -229,13 +230,15 @@ void Film::clear() {
     extent_ = {.begin = first_sample_, .end = first_sample_};
     block_ = first_sample_ / FILM_BLOCK;
     finished_.clear();
+    for (PixelIds& ids : ids_) ids.clear();
     sums_.block.fill(device_, cl_float4{});
     splats_.fill(device_, 0u);
     invalid_.fill(device_, 0u);
 }
 
 FilmContents Film::contents() const {
-    FilmContents contents{width_, height_, planes_, extent_, {}, sums_.block.read(device_), {}};
+    FilmContents contents{width_, height_, planes_, extent_, {}, sums_.block.read(device_), {}, {}};
+    contents.ids = ids_;
     contents.splats = splats_.read(device_);
     for (const FilmNode& node : nodes())
         contents.parts.push_back({node, read(node, 0, planes_.count())});
@@ -257,7 +260,7 @@ void Film::put(const FilmPart& part) {
 
 void Film::restore(const FilmContents& contents) {
     if (contents.width != width_ || contents.height != height_ || contents.planes != planes_ ||
-        contents.splats.size() != splats_.size())
+        contents.splats.size() != splats_.size() || contents.ids.size() != ids_.size())
         throw InputError("a film of {}x{} pixels can't go on with one of {}x{}, or of another kind",
                          width_, height_, contents.width, contents.height);
     if (contents.extent.begin != first_sample_)
@@ -267,6 +270,7 @@ void Film::restore(const FilmContents& contents) {
     extent_ = contents.extent;
     block_ = extent_.end / FILM_BLOCK;
     for (const FilmPart& part : contents.parts) put(part);
+    ids_ = contents.ids;
     splats_.write(device_, contents.splats);
     sums_.block.write(device_, contents.block);
 }

@@ -64,6 +64,9 @@ class Film {
     /// The same of several, faster than one by one.
     std::vector<Image> develop(std::span<const FilmChannel> channels) const;
     const FilmPlanes& planes() const { return planes_; }
+    /// What the samples have seen, if the options ask for that; whoever adds samples counts here.
+    IdCounts& ids() { return ids_; }
+    const IdCounts& ids() const { return ids_; }
     /// The sums of an AOV, or of RADIANCE_SUMS, over all blocks of 64 samples that are whole.
     FilmSums whole_blocks(uint32_t sums) const;
 
@@ -112,9 +115,10 @@ class Film {
     Sums sums_;
     gpu::Buffer<uint32_t> invalid_, splats_;
     FilmExtent extent_;
-    uint32_t block_ = 0;                  ///< number of the current one, which sums_ has
-    uint32_t pass_pixels_;                ///< that get the samples of the last pass
-    std::vector<FilmPart> finished_;      ///< right halves without the left one
+    uint32_t block_ = 0;             ///< number of the current one, which sums_ has
+    uint32_t pass_pixels_;           ///< that get the samples of the last pass
+    std::vector<FilmPart> finished_; ///< right halves without the left one
+    IdCounts ids_;
     std::optional<gpu::Program> program_; ///< where there are several blocks
 };
 

@@ -3,6 +3,7 @@
 
 #include "image/image.h"
 #include "render/film_nodes.h"
+#include "render/id_counts.h"
 
 #include "shared/aovs.h"
 
@@ -119,6 +120,7 @@ struct FilmContents {
     FilmExtent extent;
     std::vector<FilmPart> parts;  ///< cover() of its whole blocks
     FilmSums block;               ///< of the samples behind them; zeros where there are none
+    IdCounts ids;                 ///< where they are counted; of the samples of the whole extent
     std::vector<uint32_t> splats; ///< of light tracing, SPLAT_WORDS a pixel; else empty. Then there
                                   ///< are no parts, and the block is what they add up to
 };

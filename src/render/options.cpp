@@ -25,11 +25,12 @@ static void check_film(const RenderOptions& options) {
     if (options.integrator != IntegratorKind::path && options.clamp > 0)
         throw InputError("--clamp is for --integrator path, not for {}",
                          word_of(options.integrator));
-    const bool has_channels = options.aovs != 0 || !options.light_groups.empty();
+    const bool has_channels = options.aovs != 0 || options.ids || !options.light_groups.empty();
     if (options.integrator != IntegratorKind::path && (transparent || has_channels))
-        throw InputError("--background transparent and the --aov of surfaces and light are for "
-                         "--integrator path, not for {}",
-                         word_of(options.integrator));
+        throw InputError(
+            "--background transparent and the --aov of surfaces, light and ids are for "
+            "--integrator path, not for {}",
+            word_of(options.integrator));
     if (options.aovs >> AOV_COUNT)
         throw InputError("the AOVs {:#x} have bits that are none", options.aovs);
     if (transparent && !(options.aovs >> AOV_ALPHA & 1))

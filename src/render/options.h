@@ -43,6 +43,7 @@ struct RenderOptions {
     Background background = Background::environment; ///< transparent: aovs has alpha
     float clamp = 0;   ///< the most radiance of a sample, whose aovs then has clamped; 0: any
     uint32_t aovs = 0; ///< that the film has beside radiance, by the bits of shared/aovs.h
+    bool ids = false;  ///< whether the film counts what its samples see first
     std::vector<std::string> light_groups{}; ///< light_groups() of the scene if the film has the
                                              ///< light of each by itself, else empty
     gpu::DeviceSettings settings;

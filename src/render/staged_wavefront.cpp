@@ -46,6 +46,7 @@ class StagedWavefront : public EngineDriver {
     uint32_t wave_capacity() const override { return settings_.wave_size; }
     uint32_t sample_capacity() const override { return settings_.wave_size; }
     std::vector<uint64_t> counters() const override { return arguments_.counters(); }
+    std::vector<uint32_t> seen(uint32_t paths) const override { return arguments_.seen(paths); }
     const gpu::BuildReport& build_report() const override { return program_.report(); }
 
   private:

@@ -3,6 +3,8 @@
 #include "gpu/fence.h"
 #include "render/frame.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <bit>
 #include <deque>
@@ -36,13 +38,15 @@ WaveIntegrator::WaveIntegrator(const IntegratorContext& c, const MakeEstimator& 
       film_(c.programs, buffers_.film, options_), estimator_(make(buffers_)),
       engine_(make_engine({c.programs, buffers_, c.scene, film_, c.camera, options_, c.profiler},
                           *estimator_)),
-      pixels_(options_.width * options_.height) {
+      scene_(c.scene), pixels_(options_.width * options_.height) {
+    if (options_.ids) order_ = pixel_order(options_.width, options_.height);
     if (options_.rectangle) set_pixels(pixel_order(*options_.rectangle));
 }
 
 void WaveIntegrator::set_pixels(std::span<const uint32_t> pixels) {
     engine_->set_pixels(pixels);
     pixels_ = uint32_t(pixels.size());
+    if (options_.ids) order_.assign(pixels.begin(), pixels.end());
 }
 
 void WaveIntegrator::render_pass(uint32_t first, uint32_t count,
@@ -72,6 +76,27 @@ void WaveIntegrator::render_pass(uint32_t first, uint32_t count,
 void WaveIntegrator::queue_wave(const Wave& wave) {
     engine_->render_wave(wave);
     paths_ += wave.paths();
+    if (options_.ids) count_ids(wave);
+}
+
+/// What a path has met, in words of the kernels.
+static SeenId seen_id(const PackedScene& scene, const uint32_t* words) {
+    const uint32_t primitive = words[SEEN_PRIMITIVE];
+    if (primitive == NO_INDEX) return NOTHING_SEEN;
+    return {scene.objects(primitive, words[SEEN_INSTANCE]),
+            SURFACE_MATERIAL(scene.surfaces[primitive].any.tag)};
+}
+
+void WaveIntegrator::count_ids(const Wave& wave) {
+    const std::vector<uint32_t> seen = engine_->seen(wave.paths());
+    const PackedScene& scene = scene_.packed();
+    tbb::parallel_for(0u, wave.pixels, [&](uint32_t i) {
+        const uint32_t place = order_[wave.first_pixel + i];
+        PixelIds& ids = film_.ids()[size_t(place >> 16) * options_.width + (place & 0xffff)];
+        const uint32_t* words = &seen[size_t(i) * wave.samples * SEEN_WORDS];
+        for (uint32_t sample = 0; sample < wave.samples; sample++, words += SEEN_WORDS)
+            if (words[SEEN_PRIMITIVE] != SEEN_REJECTED) add_id(ids, seen_id(scene, words), 1);
+    });
 }
 
 void WaveIntegrator::clear() {

@@ -38,6 +38,8 @@ class WaveIntegrator : public Integrator {
 
   private:
     void queue_wave(const Wave& wave);
+    /// Waits for a wave, and counts what its samples have seen.
+    void count_ids(const Wave& wave);
 
     const gpu::Device& device_;
     RenderOptions options_;
@@ -46,7 +48,9 @@ class WaveIntegrator : public Integrator {
     Film film_;
     std::unique_ptr<Estimator> estimator_;
     std::unique_ptr<EngineDriver> engine_;
-    uint32_t pixels_; ///< that get samples
+    const DeviceScene& scene_;
+    std::vector<uint32_t> order_; ///< of the pixels that get samples, in films that count ids
+    uint32_t pixels_;             ///< that get samples
     uint64_t paths_ = 0;
 };
 

@@ -52,6 +52,7 @@ void resolve_depth(const RenderChoices& choices, const RenderSettings& own,
 /// A transparent background and a clamp that only the scene asks for are for path tracing alone.
 void resolve_film(const RenderChoices& choices, const Scene& scene, ResolvedOptions& resolved) {
     RenderOptions& options = resolved.options;
+    options.ids = choices.ids;
     if (choices.light_groups) options.light_groups = light_groups(scene);
     if (options.light_groups.size() == 1)
         resolved.notes.push_back(fmt::format(

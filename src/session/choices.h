@@ -25,7 +25,7 @@ struct RenderChoices {
     std::optional<Background> background;
     std::optional<float> clamp;
     uint32_t aovs = 0; ///< of RenderOptions
-    bool light_groups = false;
+    bool light_groups = false, ids = false;
     std::optional<Engine> engine;
     std::optional<gpu::Launch> launch;
     std::optional<bool> interleave;

@@ -19,6 +19,7 @@ RenderOptions single_path(RenderOptions options) {
     options.settings.launch = gpu::Launch::fused;
     options.engine = Engine::wavefront;
     options.aovs = 0;
+    options.ids = false;
     options.light_groups.clear();
     options.samples = options.samples_in_flight = 1;
     return options;

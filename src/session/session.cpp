@@ -219,7 +219,8 @@ FilmHeader Session::film_header() const {
             {ONDE_VERSION, programs_.sources().hash(), device_class(device().facts())},
             device().facts().name,
             samples,
-            display_of(scene_.settings, o.integrator)};
+            display_of(scene_.settings, o.integrator),
+            o.ids ? id_names(scene_) : IdNames{}};
 }
 
 void Session::restore_film(const KeptFilm& kept) {

@@ -35,16 +35,19 @@ class ShapeWriter {
   public:
     ShapeWriter(const Scene& scene, FlatGeometry& flat) : scene_(scene), flat_(flat) {}
 
-    void add(const Shape& shape) {
+    void add(const Shape& shape, uint32_t object) {
         const bool light = emits(scene_.materials[shape.material]);
         const auto key = std::tuple(shape.kind, shape.minor_radius, shape.material);
         const auto known = geometry_of_.find(key);
         const bool shared = !light && known != geometry_of_.end();
         const uint32_t geometry = shared ? known->second : add_geometry(shape);
+        if (!shared) // hits of one that is placed once may have no instance
+            flat_.objects.runs.push_back({uint32_t(flat_.surfaces.size() - 1), object});
         if (light)
             flat_.emissive.push_back(emissive_shape(uint32_t(flat_.surfaces.size() - 1), shape));
         if (!light && !shared) geometry_of_.emplace(key, geometry);
         flat_.placements.push_back({geometry, shape.object_to_world});
+        flat_.objects.of_placement.push_back(object);
     }
 
   private:
@@ -95,12 +98,25 @@ FlatGeometry flatten_geometry(const Scene& scene) {
     auto& positions = flat.positions.emplace_back();
     auto& triangles = flat.triangles.emplace_back();
     MeshWriter baked(scene, flat, positions, triangles);
-    for (const Instance& instance : scene.instances)
-        if (!instanced[instance.mesh])
-            baked.add(scene.meshes[instance.mesh], instance.object_to_world);
-    for (const Sphere& sphere : scene.spheres) add_sphere(scene, flat, sphere);
+    ObjectMap& objects = flat.objects;
+    const auto begin_run = [&](size_t object) {
+        objects.runs.push_back({uint32_t(flat.surfaces.size()), uint32_t(object)});
+    };
+    const size_t first_sphere = scene.instances.size();
+    const size_t first_shape = first_sphere + scene.spheres.size();
+    for (size_t i = 0; i < scene.instances.size(); i++) {
+        const Instance& instance = scene.instances[i];
+        if (instanced[instance.mesh]) continue;
+        begin_run(i);
+        baked.add(scene.meshes[instance.mesh], instance.object_to_world);
+    }
+    for (size_t i = 0; i < scene.spheres.size(); i++) {
+        begin_run(first_sphere + i);
+        add_sphere(scene, flat, scene.spheres[i]);
+    }
     flat.geometries.push_back({positions, triangles, flat.spheres, 0});
     flat.placements.push_back({0, glm::mat4(1.0f)});
+    objects.of_placement.push_back(NO_INDEX);
 
     std::vector<uint32_t> geometry_of(scene.meshes.size());
     for (size_t i = 0; i < scene.meshes.size(); i++) {
@@ -112,11 +128,15 @@ FlatGeometry flatten_geometry(const Scene& scene) {
         geometry_of[i] = uint32_t(flat.geometries.size());
         flat.geometries.push_back({own_positions, own_triangles, {}, first_primitive});
     }
-    for (const Instance& instance : scene.instances)
-        if (instanced[instance.mesh])
-            flat.placements.push_back({geometry_of[instance.mesh], instance.object_to_world});
+    for (size_t i = 0; i < scene.instances.size(); i++) {
+        const Instance& instance = scene.instances[i];
+        if (!instanced[instance.mesh]) continue;
+        flat.placements.push_back({geometry_of[instance.mesh], instance.object_to_world});
+        objects.of_placement.push_back(uint32_t(i));
+    }
     ShapeWriter shapes(scene, flat);
-    for (const Shape& shape : scene.shapes) shapes.add(shape);
+    for (size_t i = 0; i < scene.shapes.size(); i++)
+        shapes.add(scene.shapes[i], uint32_t(first_shape + i));
     if (!flat.bulges.empty()) flat.bulges.resize(flat.surfaces.size());
     return flat;
 }

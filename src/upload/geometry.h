@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 #include "shared/scene.h"
 #include "upload/emissive.h"
+#include "upload/objects.h"
 
 #include <deque>
 #include <vector>
@@ -26,6 +27,7 @@ struct FlatGeometry {
     std::vector<uint32_t> uv_sets; ///< used_uv_sets()
     std::vector<uint32_t> colors, tangents;
     std::vector<EmissivePrimitive> emissive;
+    ObjectMap objects;
 
     // What the spans of `geometries` point to.
     std::deque<std::vector<glm::vec3>> positions;

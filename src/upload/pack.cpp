@@ -91,6 +91,7 @@ static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry 
     packed.uvs = std::move(flat.uvs);
     packed.colors = std::move(flat.colors);
     packed.tangents = std::move(flat.tangents);
+    packed.objects = std::move(flat.objects);
 }
 
 PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {

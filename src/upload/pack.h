@@ -35,6 +35,7 @@ struct PackedScene : SceneArrays {
     glm::vec3 ground_share{0.0f};          ///< one over the irradiance that the ground receives
     float ground_height = std::numeric_limits<float>::infinity(); ///< no ground: above all rays
     uint32_t environment_width = 0, environment_height = 0;       ///< 0 when it is constant
+    ObjectMap objects;
     SceneFeatures features;
 
     /// The buffers that the scene takes on the device.

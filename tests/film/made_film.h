@@ -33,6 +33,7 @@ inline FilmHeader made_header(uint32_t samples) {
                        Background::environment,
                        1u << AOV_ALBEDO | 1u << AOV_DEPTH,
                        {"other", "key"},
+                       NO_IDS,
                        0.0f,
                        0.0f,
                        0.0f,

@@ -1,0 +1,2 @@
+add_executable(onde_bench_channels ${CMAKE_CURRENT_LIST_DIR}/channels.cpp)
+target_link_libraries(onde_bench_channels PRIVATE onde_session onde_bench_shared)

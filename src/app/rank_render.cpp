@@ -69,8 +69,9 @@ bool render_by_ranks(Session& session, const RenderRequest& request, Ranks& rank
     quiet.quiet = request.quiet || ranks.rank() > 0;
     UnitRenderer renderer(session, quiet, interrupt);
     if (renderer.header().identity.has_ids())
-        throw InputError("the ranks of --mpi don't join the ids of --aov crypto-object and its like; "
-                         "leave them out, or share out the work by onde work");
+        throw InputError(
+            "the ranks of --mpi don't join the ids of --aov crypto-object and its like; "
+            "leave them out, or share out the work by onde work");
     check_same_job(ranks, renderer.header());
     const Store store(parts_folder(request), NO_LEASES);
     const uint64_t pixels =

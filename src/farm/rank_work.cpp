@@ -163,8 +163,7 @@ KeptFilm RankWork::gather() {
     if (samples % FILM_BLOCK != 0)
         contents.block = gather({0, blocks}, contents);
     else
-        contents.block.resize(size_t(contents.planes.count()) * contents.width *
-                              contents.height);
+        contents.block.resize(size_t(contents.planes.count()) * contents.width * contents.height);
     return film;
 }
 

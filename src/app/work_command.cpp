@@ -40,7 +40,8 @@ void check_work_request(const WorkRequest& r) {
         render.choices.noise.value_or(0) > 0)
         throw InputError("workers share out samples and pixels by themselves; leave out --film, "
                          "--resume, --checkpoint, --samples, --rectangle, --time and --noise");
-    if (render.denoiser.denoiser != Denoiser::off || render.stats || !render.json.empty())
+    if (render.denoise.value_or(Denoiser::off) != Denoiser::off || render.stats ||
+        !render.json.empty())
         throw InputError("workers only make a film and its picture; leave out --denoise, --stats "
                          "and --json, and give them to onde render --resume STORE/film.exr");
     check_request(render);
@@ -95,7 +96,8 @@ bool run_work(const WorkRequest& request) {
     const Store store(request.store, request.lease);
     Machine machine = open_machine(request.render.machine);
     RenderRequest own = request.render;
-    own.choices.noise = 0; // the scene's is left out
+    own.choices.noise = 0; // the scene's is left out, and its denoiser
+    own.denoise = Denoiser::off;
     Session session = open_session(machine, load_requested_scene(own), own);
     StopOnInterrupt interrupt;
     UnitRenderer renderer(session, request.render, interrupt);

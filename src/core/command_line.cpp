@@ -181,7 +181,9 @@ void Command::option(const std::string& name, OptionField field, const std::stri
         const bool has_range = std::isfinite(rules.least) || std::isfinite(rules.most);
         if constexpr (std::is_arithmetic_v<Number>)
             if (!has_range) option.check(representable<Number>());
-        option.check(not_empty());
+        constexpr bool IS_LIST = std::is_same_v<Value, std::vector<std::string>> ||
+                                 std::is_same_v<Value, std::vector<std::filesystem::path>>;
+        if constexpr (!IS_LIST) option.check(not_empty()); // who takes a list names the wrong one
         apply(rules, option);
     };
     std::visit(declare, field);

@@ -57,7 +57,7 @@ TEST_CASE("thumbnail refuses a size or a folder that can't be") {
     CHECK(onde::test::onde(folder, {"thumbnail", "good.obj", "-o", "file"}).code == 2);
     CHECK(onde::test::onde(folder, {"thumbnail"}).code == 2);
     // Told before anything is rendered: one sentence.
-    for (const char* wrong : {"-", "", "file", "file/inner", "/proc", "/proc/self/no"}) {
+    for (const char* wrong : {"-", "file", "file/inner", "/proc", "/proc/self/no"}) {
         INFO(wrong);
         const Outcome outcome = onde::test::onde(folder, {"thumbnail", "good.obj", "-o", wrong});
         CHECK(outcome.code == 2);
@@ -67,6 +67,9 @@ TEST_CASE("thumbnail refuses a size or a folder that can't be") {
                                          (std::string(wrong).size() < 2 ? "-o '" : "") + wrong));
         CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     }
+    const Outcome empty = onde::test::onde(folder, {"thumbnail", "good.obj", "-o", ""});
+    CHECK(empty.code == 2);
+    CHECK_THAT(empty.err, Catch::Contains("--output: has an empty value"));
     CHECK(folder.files().size() == 2);
 }
 

@@ -2,6 +2,7 @@
 // by each denoiser, against a reference of many, and the seconds that it takes.
 #include "figures.h"
 #include "front.h"
+#include "pictures.h"
 
 #include "core/error.h"
 #include "core/timer.h"
@@ -22,12 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
-    std::vector<fs::path> scenes;
-    fs::path environment, references, pictures;
+struct Options : PictureOptions {
+    fs::path references, pictures;
     std::string device, kernels;
     DenoiserOptions denoiser;
-    uint32_t width = 256, height = 256, reference_samples = 4096;
+    uint32_t reference_samples = 4096;
+
+    Options() { width = height = 256; }
 };
 
 constexpr std::array<uint32_t, 3> SAMPLES{8, 16, 64};
@@ -45,7 +47,7 @@ struct Way {
 std::vector<Way> ways(const DenoiserOptions& choices) {
     std::vector<Way> all{{"as it is", Denoiser::off}, {"onde", Denoiser::own}};
     const char* place = std::getenv(OIDN_VARIABLE);
-    if (!choices.library.empty() || (place && *place) || installed_oidn()) {
+    if (!choices.oidn.empty() || (place && *place) || installed_oidn()) {
         all.push_back({"oidn fast", Denoiser::open_image, DenoiseQuality::fast});
         all.push_back({"oidn high", Denoiser::open_image, DenoiseQuality::high});
     }
@@ -131,10 +133,7 @@ void run(const Options& options) {
     Machine machine(options.device, gpu::KernelSources::from(options.kernels));
     fmt::print("{}x{} on {}, commit {}\n", options.width, options.height,
                machine.device.facts().name, source_commit());
-    LoadOptions load;
-    load.size = glm::uvec2(options.width, options.height);
-    if (!options.environment.empty())
-        load.environment = load_environment(options.environment, glm::vec3(1.0f), 0);
+    const LoadOptions load = load_options(options);
     for (const fs::path& path : options.scenes)
         measure({machine, options, load_scene(path, load), path.stem().string()});
 }
@@ -146,19 +145,13 @@ int main(int argc, char** argv) {
     onde::bench::Options options;
     onde::CommandLine line("denoise", "What denoising gains, and the seconds that it takes");
     onde::Command root = line.root();
-    root.option("scenes", &options.scenes, "Scene files", {.value = "SCENE", .required = true});
-    root.option("--environment", &options.environment, "Light them all with this map",
-                {.value = "FILE"});
-    root.option("--width", &options.width, "of the pictures",
-                {.show_default = true, .least = 1, .most = 16384});
-    root.option("--height", &options.height, "of the pictures",
-                {.show_default = true, .least = 1, .most = 16384});
+    onde::bench::add_pictures(root, options);
     root.option("--samples", &options.reference_samples, "of the references",
                 {.value = "N", .show_default = true, .least = 1, .most = 1 << 24});
     root.option("--references", &options.references,
                 "Folder in which references are kept for the next time", {.value = "DIR"});
     root.option("--pictures", &options.pictures, "Folder for every picture", {.value = "DIR"});
-    root.option("--denoiser-library", &options.denoiser.library, "As of onde render",
+    root.option("--denoiser-library", &options.denoiser.oidn, "As of onde render",
                 {.value = "PATH"});
     onde::bench::add_device(root, options.device);
     onde::bench::add_kernels(root, options.kernels);

@@ -3,6 +3,7 @@
 // the same share.
 #include "figures.h"
 #include "front.h"
+#include "pictures.h"
 
 #include "scene/load.h"
 #include "session/choices.h"
@@ -19,12 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
-    std::vector<fs::path> scenes;
-    fs::path environment;
+struct Options : PictureOptions {
     std::string device, kernels;
-    uint32_t width = 64, height = 48, seeds = 100, reference_samples = 1u << 16;
+    uint32_t seeds = 100, reference_samples = 1u << 16;
     float noise = 0.02f;
+
+    Options() { width = 64, height = 48; }
 };
 
 /// Other random numbers than the pictures have that are compared with it.
@@ -135,10 +136,7 @@ void run(const Options& options) {
         "| scene | at most {:.0f} % off | off, % | worst seed, % | told, % | samples a pixel | "
         "uniform, as few off | ratio |\n|---|---|---|---|---|---|---|---|\n",
         100 * NOISY_SHARE);
-    LoadOptions load;
-    load.size = glm::uvec2(options.width, options.height);
-    if (!options.environment.empty())
-        load.environment = load_environment(options.environment, glm::vec3(1.0f), 0);
+    const LoadOptions load = load_options(options);
     for (const fs::path& path : options.scenes)
         measure({machine, options, load_scene(path, load), path.stem().string()});
 }
@@ -150,13 +148,7 @@ int main(int argc, char** argv) {
     onde::bench::Options options;
     onde::CommandLine line("noise", "Whether what --noise says holds, and what it saves");
     onde::Command root = line.root();
-    root.option("scenes", &options.scenes, "Scene files", {.value = "SCENE", .required = true});
-    root.option("--environment", &options.environment, "Light them all with this map",
-                {.value = "FILE"});
-    root.option("--width", &options.width, "of the pictures",
-                {.show_default = true, .least = 1, .most = 16384});
-    root.option("--height", &options.height, "of the pictures",
-                {.show_default = true, .least = 1, .most = 16384});
+    onde::bench::add_pictures(root, options);
     root.option("--noise", &options.noise, "As of onde render",
                 {.value = "ERROR", .show_default = true, .least = 1e-4, .most = 1});
     root.option("--seeds", &options.seeds, "Pictures of each scene",

@@ -6,7 +6,8 @@ if(NOT TARGET embree)
 endif()
 add_library(onde_bench_shared STATIC
   ${CMAKE_CURRENT_LIST_DIR}/embree_scene.cpp ${CMAKE_CURRENT_LIST_DIR}/figures.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/front.cpp ${CMAKE_CURRENT_LIST_DIR}/model.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/front.cpp ${CMAKE_CURRENT_LIST_DIR}/model.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/pictures.cpp)
 target_include_directories(onde_bench_shared PUBLIC ${CMAKE_CURRENT_LIST_DIR})
 target_compile_definitions(onde_bench_shared PUBLIC ONDE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 target_link_libraries(onde_bench_shared PUBLIC onde_scene onde_accel embree TBB::tbb

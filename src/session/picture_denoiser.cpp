@@ -32,9 +32,9 @@ std::optional<OpenImageDenoise> open_library(const DenoiserOptions& options,
                                              const std::function<void(std::string)>& note) {
     const bool must_be = options.denoiser == Denoiser::open_image;
     try {
-        if (const auto library = library_of(options.library)) return OpenImageDenoise(*library);
+        if (const auto library = library_of(options.oidn)) return OpenImageDenoise(*library);
     } catch (const InputError& error) {
-        if (must_be || !options.library.empty()) throw;
+        if (must_be || !options.oidn.empty()) throw;
         note(fmt::format("{}; the picture is denoised by our own denoiser", error.what()));
     }
     if (must_be)

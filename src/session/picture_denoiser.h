@@ -28,8 +28,8 @@ constexpr auto enum_words(DenoiseQuality) {
 
 struct DenoiserOptions {
     Denoiser denoiser = Denoiser::off;
-    std::filesystem::path library{}; ///< of Open Image Denoise, or a folder that has it; else it is
-                                     ///< looked for
+    std::filesystem::path oidn{}; ///< Open Image Denoise, or a folder that has it; else it is
+                                  ///< looked for
     DenoiseQuality quality = DenoiseQuality::high;
 };
 

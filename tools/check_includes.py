@@ -56,11 +56,12 @@ DOORS = [
     (re.compile(r"png\.h|jpeglib|webp/|tiffio|Imf|openexr\.h|stb/|stored_image"), re.compile(r"src/image/"), "pictures are for image_io.h"),
     (re.compile(r"CLI/"), re.compile(r"src/core/command_line\.cpp"), "only command_line.cpp opens it"),
     (re.compile(r"mpi\.h"), re.compile(r"src/mpi/present/"), "MPI is for src/mpi"),
+    (re.compile(r"pugixml"), re.compile(r"src/scene/mitsuba/"), "XML is for the reader of Mitsuba's scenes"),
     (re.compile(r"embree"), re.compile(r"^$"), "Embree is an oracle for tests, not for the renderer"),
 ]
 
 # Readers of file formats, folders of src/scene, which know nothing of each other.
-READERS = {"gltf", "obj", "ply", "stl", "toml"}
+READERS = {"gltf", "obj", "ply", "stl", "toml", "pbrt", "mitsuba"}
 
 # Everywhere else in the kernels, code is written for any width, real, or for sixteen, real16.
 VECTOR_OF_16 = re.compile(r"\b(as_)?(float|u?int)16\b")

@@ -2,6 +2,7 @@
 
 #include "app/load_request.h"
 #include "app/prewarm.h"
+#include "scene/load.h"
 #include "gpu/program.h"
 
 #include <fmt/format.h>
@@ -40,7 +41,7 @@ void add_prewarm(Command& cache) {
     const auto options = std::make_shared<Options>();
     Command command =
         cache.add_command("prewarm", "Compile the kernels that these scenes need, or common ones");
-    command.option("scenes", &options->scenes, "Scenes: .gltf, .glb, .obj, .ply, .stl or .toml",
+    command.option("scenes", &options->scenes, fmt::format("Scenes: {}", SCENE_FILES),
                    {.value = "SCENE"});
     command.option("--device", &options->device, "Device by number or part of its name");
     declare_load(command, options->load);

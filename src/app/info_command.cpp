@@ -259,7 +259,7 @@ void add_info_command(Command& root) {
     const auto options = std::make_shared<Options>();
     Command command =
         root.add_command("info", "Say what a scene file contains and the memory it takes");
-    command.option("scene", &options->scene, "A .gltf, .glb, .obj, .ply, .stl or .toml file",
+    command.option("scene", &options->scene, fmt::format("A {} file", SCENE_FILES),
                    {.required = true});
     declare_load(command, options->load);
     command.flag("--json", options->json, "Print JSON");

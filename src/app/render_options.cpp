@@ -1,9 +1,12 @@
 // The options of `onde render` and of commands that take some of them.
 #include "app/render_request.h"
 
+#include "scene/load.h"
 #include "app/sequence.h"
 
 #include <map>
+
+#include <fmt/format.h>
 
 namespace onde::app {
 namespace {
@@ -11,7 +14,7 @@ namespace {
 const std::map<std::string, bool> SWITCH{{"on", true}, {"off", false}};
 
 void declare_view(Command& command, RenderRequest& r) {
-    command.option("scene", &r.scene, "Scene: .gltf, .glb, .obj, .ply, .stl or .toml",
+    command.option("scene", &r.scene, fmt::format("Scene: {}", SCENE_FILES),
                    {.value = "SCENE", .required = true});
     command.option("--size", &r.size, "Pixels, for example 640x480 (the scene's, else 800x600)",
                    {.value = "WxH"});

@@ -197,7 +197,7 @@ void add_thumbnail_command(Command& root, bool& interrupted) {
     const auto request = std::make_shared<ThumbnailRequest>(); // what runs later is copied
     Command command =
         root.add_command("thumbnail", "Render a small square picture of each of many files");
-    command.option("files", &request->files, "Scenes: .gltf, .glb, .obj, .ply, .stl or .toml",
+    command.option("files", &request->files, fmt::format("Scenes: {}", SCENE_FILES),
                    {.value = "FILE", .required = true});
     command.option("-o,--output", &request->folder, "Folder for the pictures, FILE.png each",
                    {.value = "DIR", .show_default = true});

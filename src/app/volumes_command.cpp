@@ -74,7 +74,7 @@ void add_volumes_command(Command& root) {
     const auto request = std::make_shared<VolumesRequest>(); // what runs later is copied
     Command command = root.add_command(
         "volumes", "Compare bounding volumes and hierarchies of boxes around a scene's triangles");
-    command.option("scene", &request->scene, "A .gltf, .glb, .obj, .ply, .stl or .toml file",
+    command.option("scene", &request->scene, fmt::format("A {} file", SCENE_FILES),
                    {.value = "SCENE", .required = true});
     command.option("--rays", &request->rays, "Random lines (262144)", {.value = "N"});
     command.option("--trials", &request->trials,

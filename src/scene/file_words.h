@@ -24,4 +24,13 @@ std::vector<FileWord> element_words();  ///< elements that are read
 std::vector<FileWord> property_words(); ///< of those
 } // namespace ply
 
+namespace pbrt {
+std::vector<FileWord> directive_words(); ///< of pbrt files
+std::vector<FileWord> material_words();  ///< kinds of materials in them
+} // namespace pbrt
+
+namespace mitsuba {
+std::vector<FileWord> plugin_words(); ///< plugins of Mitsuba's files
+} // namespace mitsuba
+
 } // namespace onde

@@ -9,30 +9,45 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace onde {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// A format by its extension. Scenes of our own know who includes them.
+struct Format {
+    std::string_view extension;
+    Scene (*load)(const fs::path&, LoadContext&);
+    bool is_model;
+};
+constexpr Format FORMATS[] = {{".gltf", load_gltf, true},   {".glb", load_gltf, true},
+                              {".obj", load_obj, true},     {".ply", load_ply, true},
+                              {".stl", load_stl, true},     {".pbrt", load_pbrt, false},
+                              {".xml", load_mitsuba, false}};
+constexpr std::string_view OWN = ".toml";
+
+} // namespace
+
 Scene load_part(const fs::path& path, LoadContext& context,
                 const std::vector<fs::path>& ancestors) {
-    if (path.empty())
-        throw InputError("the name of the scene is empty; give a .gltf, .glb, .obj, .ply, .stl or "
-                         ".toml");
+    if (path.empty()) throw InputError("the name of the scene is empty; give a {}", SCENE_FILES);
     std::error_code ignored;
     if (fs::is_directory(path, ignored))
         throw InputError("{}: is a folder; give the name of a scene in it", path.string());
     const std::string extension = lower_extension(path);
-    if (extension == ".gltf" || extension == ".glb") return load_gltf(path, context);
-    if (extension == ".obj") return load_obj(path, context);
-    if (extension == ".ply") return load_ply(path, context);
-    if (extension == ".stl") return load_stl(path, context);
-    if (extension == ".toml") return load_toml(path, context, ancestors);
-    throw InputError(
-        "{}: '{}' is not a scene format of ours; give a .gltf, .glb, .obj, .ply, .stl or .toml",
-        path.string(), shown(extension));
+    if (extension == OWN) return load_toml(path, context, ancestors);
+    const auto format = std::ranges::find(FORMATS, extension, &Format::extension);
+    if (format == std::end(FORMATS))
+        throw InputError("{}: '{}' is not a scene format of ours; give a {}", path.string(),
+                         shown(extension), SCENE_FILES);
+    return format->load(path, context);
 }
 
 bool is_model(const fs::path& path) {
-    return lower_extension(path) != ".toml";
+    const auto format = std::ranges::find(FORMATS, lower_extension(path), &Format::extension);
+    return format != std::end(FORMATS) && format->is_model;
 }
 
 /// Runs `work`; what it throws is said to be of that file.

@@ -6,12 +6,16 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace onde {
 
-/// Loads .gltf, .glb, .obj, .ply, .stl or .toml (by extension) and completes it as complete_scene()
-/// does. Every number is checked; the result satisfies check_scene(). Throws InputError with one
-/// sentence.
+/// The files that load_scene() takes, for sentences.
+inline constexpr std::string_view SCENE_FILES =
+    ".gltf, .glb, .obj, .ply, .stl, .pbrt, .xml (Mitsuba 3) or .toml";
+
+/// Loads one of SCENE_FILES, by its extension, and completes it as complete_scene() does. Every
+/// number is checked; the result satisfies check_scene(). Throws InputError with one sentence.
 Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// Throws InputError unless every index is in range, every number finite, every range of scene.h

@@ -14,6 +14,8 @@ Scene load_gltf(const std::filesystem::path& path, LoadContext& context); ///< .
 Scene load_obj(const std::filesystem::path& path, LoadContext& context);
 Scene load_ply(const std::filesystem::path& path, LoadContext& context);
 Scene load_stl(const std::filesystem::path& path, LoadContext& context);
+Scene load_pbrt(const std::filesystem::path& path, LoadContext& context);
+Scene load_mitsuba(const std::filesystem::path& path, LoadContext& context);
 
 /// `ancestors` are the canonical paths of the scene files that include this one, outermost first.
 Scene load_toml(const std::filesystem::path& path, LoadContext& context,
@@ -23,7 +25,7 @@ Scene load_toml(const std::filesystem::path& path, LoadContext& context,
 Scene load_part(const std::filesystem::path& path, LoadContext& context,
                 const std::vector<std::filesystem::path>& ancestors = {});
 
-/// Whether the file is a thing, of any format but our own, and not a scene that somebody has lit.
+/// Whether the file's format is one of things, and not of scenes that somebody has lit.
 bool is_model(const std::filesystem::path& path);
 
 struct LoadedScene {

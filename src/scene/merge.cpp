@@ -10,8 +10,6 @@
 
 namespace onde {
 
-static constexpr size_t MAX_PLACED = size_t(1) << 22;
-
 template <class T>
 static uint32_t move_to_end(std::vector<T>& whole, std::vector<T>& part) {
     const size_t first = whole.size();
@@ -50,8 +48,7 @@ static glm::vec3 transform_point(const glm::mat4& transform, const glm::vec3& po
     return glm::vec3(transform * glm::vec4(point, 1.0f));
 }
 
-/// The factor of an even scale, or 0 for any other.
-static float even_scale(const glm::mat4& transform) {
+float even_scale(const glm::mat4& transform) {
     const glm::vec3 x(transform[0]), y(transform[1]), z(transform[2]);
     const float scale = glm::length(x), tolerance = 1e-3f * scale;
     const bool same_length = std::abs(glm::length(y) - scale) <= tolerance &&
@@ -94,7 +91,7 @@ glm::mat4 rigid_part(const glm::mat4& transform) {
                      glm::vec4(glm::vec3(back), 0.0f), transform[3]);
 }
 
-static Camera placed(Camera camera, const glm::mat4& transform) {
+Camera placed(Camera camera, const glm::mat4& transform) {
     const float scale = std::cbrt(std::abs(glm::determinant(glm::mat3(transform))));
     camera.camera_to_world = rigid_part(transform * camera.camera_to_world);
     for_each_field(camera, [&]<class Value>(const auto& field, Value& value) {

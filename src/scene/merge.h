@@ -5,6 +5,9 @@
 
 namespace onde {
 
+/// The most instances of a scene; and the most spheres, shapes, lights, cameras.
+inline constexpr size_t MAX_PLACED = size_t(1) << 22;
+
 /// Where the assets of a part begin in the whole.
 struct AssetOffsets {
     uint32_t textures = 0, materials = 0, meshes = 0, names = 0;
@@ -29,6 +32,12 @@ void append(Scene& whole, Scene&& part, const glm::mat4& transform = glm::mat4(1
 
 /// Places everything in the scene anew, as append() would. Intensities don't scale.
 void place_anew(Scene& scene, const glm::mat4& transform);
+
+/// The factor of an even scale, or 0 for any other transform.
+float even_scale(const glm::mat4& transform);
+
+/// A camera placed anew; its lengths scale.
+Camera placed(Camera camera, const glm::mat4& transform);
 
 /// Rotation and translation of a camera placed by `transform`: scale, shear and mirroring removed.
 glm::mat4 rigid_part(const glm::mat4& transform);

@@ -1,7 +1,7 @@
 #include "scene/obj/material.h"
 
 #include "core/error.h"
-#include "scene/obj/opacity.h"
+#include "scene/opacity.h"
 #include "scene/references.h"
 
 #include <algorithm>

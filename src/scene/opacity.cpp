@@ -1,4 +1,4 @@
-#include "scene/obj/opacity.h"
+#include "scene/opacity.h"
 
 #include <algorithm>
 

@@ -1,0 +1,78 @@
+// Directives that move what comes after them.
+#include "scene/pbrt/reader.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+namespace onde::pbrt {
+
+void Reader::apply(const glm::dmat4& by) {
+    if (state_.moves_start) state_.transform = state_.transform * by;
+}
+
+void Reader::identity() {
+    if (state_.moves_start) state_.transform = glm::dmat4(1.0);
+}
+
+void Reader::translate() {
+    apply(glm::translate(glm::dmat4(1.0), vector()));
+}
+
+void Reader::scale() {
+    apply(glm::scale(glm::dmat4(1.0), vector()));
+}
+
+void Reader::rotate() {
+    const double degrees = number();
+    const glm::dvec3 axis = vector();
+    if (!(glm::length(axis) > 0.0))
+        return notes_.wrong("Rotations about no axis are left out", tokens_->where());
+    apply(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), axis));
+}
+
+/// pbrt's camera space has +X to the right, +Y up and looks along +Z.
+void Reader::look_at() {
+    const glm::dvec3 eye = vector(), target = vector(), up = vector();
+    const glm::dvec3 ahead = target - eye, right = glm::cross(up, ahead);
+    if (!(glm::length(ahead) > 0.0) || !(glm::length(right) > 0.0))
+        fail("looks at its own place, or along its up vector; move one of them");
+    const glm::dvec3 z = glm::normalize(ahead), x = glm::normalize(right);
+    const glm::dmat4 camera_to_world(glm::dvec4(x, 0.0), glm::dvec4(glm::cross(z, x), 0.0),
+                                     glm::dvec4(z, 0.0), glm::dvec4(eye, 1.0));
+    apply(glm::inverse(camera_to_world));
+}
+
+void Reader::transform() {
+    const glm::dmat4 m = matrix();
+    if (state_.moves_start) state_.transform = m;
+}
+
+void Reader::concat_transform() {
+    apply(matrix());
+}
+
+void Reader::coordinate_system() {
+    coordinate_systems_[text("a name")] = state_.transform;
+}
+
+void Reader::coordinate_system_transform() {
+    const std::string name = text("a name");
+    const auto found = coordinate_systems_.find(name);
+    if (found == coordinate_systems_.end())
+        return notes_.wrong("Coordinate systems that are not defined change nothing", name);
+    if (state_.moves_start) state_.transform = found->second;
+}
+
+void Reader::active_transform() {
+    const Token which = require(Token::Kind::word, "StartTime, EndTime or All");
+    state_.moves_start = which.text != "EndTime";
+    if (which.text != "All") notes_.add("Nothing moves while the shutter is open");
+}
+
+void Reader::transform_times() {
+    number();
+    number();
+}
+
+} // namespace onde::pbrt

@@ -26,8 +26,8 @@ void set_wide(ByteImage& image, size_t at, uint32_t value) {
 
 } // namespace
 
-ByteImage with_opacity(const ByteImage& color, const ByteImage& opacity) {
-    const size_t channel = has_alpha(opacity) ? 3 : 0;
+ByteImage with_opacity(const ByteImage& color, const ByteImage& opacity, OpacityChannel wanted) {
+    const size_t channel = wanted == OpacityChannel::alpha_or_red && has_alpha(opacity) ? 3 : 0;
     ByteImage result;
     result.width = std::max(color.width, opacity.width);
     result.height = std::max(color.height, opacity.height);

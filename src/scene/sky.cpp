@@ -2,6 +2,8 @@
 
 #include "scene/load.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -80,22 +82,28 @@ Image empty_map(const std::vector<SkyLight>& lights, LoadContext& context,
     return Image(width, width / 2, 3);
 }
 
+/// What the lights add up to in a part of the map, the mean of a grid of directions in it.
+glm::dvec3 mean_radiance(const std::vector<SkyLight>& lights, const Image& map, uint32_t x,
+                         uint32_t y) {
+    constexpr int SIDE = 4; // of the grid
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < SIDE * SIDE; ++i) {
+        const double u = (x + (i % SIDE + 0.5) / SIDE) / map.width;
+        const double v = (y + (i / SIDE + 0.5) / SIDE) / map.height;
+        for (const SkyLight& light : lights) sum += radiance_toward(light, direction_of(u, v));
+    }
+    return sum / double(SIDE * SIDE);
+}
+
 Image drawn_map(const std::vector<SkyLight>& lights, const glm::dvec3& uniform,
                 LoadContext& context, const std::string& name) {
-    constexpr int SIDE = 4; // of the grid of samples in a pixel
     Image map = empty_map(lights, context, name);
-    for (uint32_t y = 0; y < map.height; ++y)
+    tbb::parallel_for(0u, map.height, [&](uint32_t y) {
         for (uint32_t x = 0; x < map.width; ++x) {
-            glm::dvec3 sum(0.0);
-            for (int i = 0; i < SIDE * SIDE; ++i) {
-                const double u = (x + (i % SIDE + 0.5) / SIDE) / map.width;
-                const double v = (y + (i / SIDE + 0.5) / SIDE) / map.height;
-                for (const SkyLight& light : lights)
-                    sum += radiance_toward(light, direction_of(u, v));
-            }
-            const glm::dvec3 mean = uniform + sum / double(SIDE * SIDE);
-            for (glm::length_t c = 0; c < 3; ++c) map.pixel(x, y)[size_t(c)] = float(mean[c]);
+            const glm::dvec3 radiance = uniform + mean_radiance(lights, map, x, y);
+            for (glm::length_t c = 0; c < 3; ++c) map.pixel(x, y)[c] = float(radiance[c]);
         }
+    });
     return map;
 }
 

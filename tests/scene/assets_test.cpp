@@ -18,13 +18,14 @@ struct Tally {
 };
 
 Tally load_all(const fs::path& folder,
-               const std::set<std::string>& formats = {".gltf", ".glb", ".obj", ".ply", ".stl"}) {
+               const std::set<std::string>& formats = {".gltf", ".glb", ".obj", ".ply", ".stl"},
+               const fs::path& root = {}) {
     Tally tally;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file() || !formats.contains(entry.path().extension())) continue;
         INFO(entry.path().string());
         try {
-            const Scene scene = load_scene(entry.path());
+            const Scene scene = load_scene(entry.path(), {.root = root});
             CHECK_NOTHROW(check_scene(scene));
             CHECK(scene_hash(scene).size() == 16);
             ++tally.loaded;
@@ -65,6 +66,15 @@ TEST_CASE("PLY models load unless they hold no faces") {
     CHECK(load_all(*meshes, {".ply"}).loaded >= 84);
 }
 
+TEST_CASE("pbrt's and Mitsuba's scenes load") {
+    const auto pbrt = test::find_asset("pbrt"), mitsuba = test::find_asset("mitsuba-data");
+    if (!pbrt || !mitsuba) return;
+    CHECK(load_all(*pbrt, {".pbrt"}).loaded == 5);
+    const Tally tally = load_all(*mitsuba, {".xml"}, *mitsuba);
+    CHECK(tally.loaded >= 24);
+    CHECK(tally.refused <= 7); // fragments without a shape
+}
+
 TEST_CASE("invalid files are refused or load as valid scenes") {
     const auto folder = test::find_asset("invalid");
     if (!folder) return;
@@ -73,8 +83,9 @@ TEST_CASE("invalid files are refused or load as valid scenes") {
 
 TEST_CASE("our own odd files, among them what fuzzing found, are refused or load as valid scenes") {
     const fs::path folder = fs::path(ONDE_SOURCE_DIR) / "tests" / "data";
-    const Tally tally = load_all(folder, {".gltf", ".glb", ".obj", ".ply", ".stl", ".toml"});
-    CHECK(tally.loaded >= 7);
+    const Tally tally =
+        load_all(folder, {".gltf", ".glb", ".obj", ".ply", ".stl", ".toml", ".pbrt", ".xml"});
+    CHECK(tally.loaded >= 9);
 }
 
 TEST_CASE("a sample model has the triangles that its documentation counts") {

@@ -43,9 +43,10 @@ TEST_CASE("the page has no table that nothing writes") {
     }
 }
 
-TEST_CASE("every word of MTL and PLY files that a reader knows is in a table, once") {
+TEST_CASE("every word of other formats' files that a reader knows is in a table, once") {
     for (const auto& words : {mtl::statement_words(), mtl::map_option_words(), ply::element_words(),
-                              ply::property_words()}) {
+                              ply::property_words(), pbrt::directive_words(),
+                              pbrt::material_words(), mitsuba::plugin_words()}) {
         std::set<std::string_view> seen;
         CHECK(words.size() > 2);
         for (const FileWord& word : words) {

@@ -1,5 +1,6 @@
 // The scene that a pbrt file is being read into: directive by directive, as the file goes on.
-// Statements in directives.cpp, transforms in transforms.cpp, shapes and objects in world.cpp.
+// Statements in directives.cpp, transforms in transforms.cpp, materials and what else attributes
+// hold in attributes.cpp, shapes and objects in world.cpp.
 #pragma once
 
 #include "scene/exact_scene.h"

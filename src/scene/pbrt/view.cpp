@@ -127,7 +127,7 @@ Camera camera_of(const std::string& kind, const Parameters& parameters,
     const double fov = std::clamp(parameters.number("fov").value_or(90.0), 0.001, 179.9);
     const double scale = std::tan(glm::radians(fov) / 2.0);
     if (centred)
-        camera.vertical_fov = float(2.0 * std::atan(window[3] * scale));
+        camera.vertical_fov = float(std::clamp(2.0 * std::atan(window[3] * scale), 1e-5, 3.14));
     else
         camera.screen = off_centre(window, scale, settings);
     for (const char* name : {"shutteropen", "shutterclose"}) parameters.find(name);

@@ -1,0 +1,7 @@
+// Fuzzes the reader of pbrt scenes.
+#include "fuzz/fuzz.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    onde::fuzz::load(onde::fuzz::write("a.pbrt", onde::fuzz::text(data, size)));
+    return 0;
+}

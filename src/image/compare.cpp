@@ -75,6 +75,22 @@ Metrics compare(const Image& a, const Image& b) {
     return metrics;
 }
 
+double share_within_noise(const Image& a, const Image& b, const Image& variance, uint32_t samples) {
+    constexpr double LEVEL = 0.01, LEAST_VARIANCE = 1e-4;
+    check_same_shape(a, b);
+    check_same_shape(b, variance);
+    const double pixels = double(a.width) * a.height;
+    const double level = 1.0 - std::pow(1.0 - LEVEL, 1.0 / pixels);
+    size_t within = 0;
+    for (size_t i = 0; i < a.pixels.size(); ++i) {
+        const double error = std::abs(double(a.pixels[i]) - double(b.pixels[i]));
+        const double deviation =
+            std::sqrt(std::max(double(variance.pixels[i]), LEAST_VARIANCE) / samples);
+        within += std::erfc(error / deviation / std::sqrt(2.0)) > level;
+    }
+    return double(within) / double(a.pixels.size());
+}
+
 Image difference_image(const Image& a, const Image& b) {
     check_same_shape(a, b);
     Image difference(a.width, a.height, a.channels);

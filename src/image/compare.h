@@ -36,6 +36,12 @@ struct Metrics {
 /// Throws InputError unless width, height and channels agree.
 Metrics compare(const Image& a, const Image& b);
 
+/// What share of the samples of `a`, a mean of so many of a renderer's samples, lies no farther
+/// from a reference than their noise explains: a two-sided Z-test of each with the `variance` of
+/// one of them, at a level of 1 % for all pixels together (Sidak 1967). Variances below 1e-4 count
+/// as that. Throws like compare.
+double share_within_noise(const Image& a, const Image& b, const Image& variance, uint32_t samples);
+
 /// |a - b| per sample, but alpha (the fourth channel) is 1, so that the difference can be seen; NaN
 /// stays NaN. Throws like compare.
 Image difference_image(const Image& a, const Image& b);

@@ -33,6 +33,26 @@ TEST_CASE("compare measures pictures, equal or not, and ends with code 0 for bot
     CHECK(nlohmann::json::parse(line).at("worst").at("b") == 0.75);
 }
 
+TEST_CASE("compare tests whether a picture is its reference but for noise") {
+    const Folder folder;
+    onde::write_exr(folder / "a.exr", plain(0.5f), {});
+    onde::write_exr(folder / "b.exr", plain(0.75f), {});
+    onde::write_exr(folder / "v.exr", plain(1.0f), {});
+    const auto within = [&](const std::string& samples) {
+        return nlohmann::json::parse(output_of(folder, {"compare", "a.exr", "b.exr", "--variance",
+                                                        "v.exr", "--samples", samples, "--json"}))
+            .at("within_noise");
+    };
+    CHECK(within("16") == 1.0);
+    CHECK(within("1024") == 0.0);
+    CHECK_THAT(
+        output_of(folder, {"compare", "a.exr", "b.exr", "--variance", "v.exr", "--samples", "16"}),
+        Catch::Contains("within noise 100.000 %"));
+    const Outcome half = onde::test::onde(folder, {"compare", "a.exr", "b.exr", "--samples", "4"});
+    CHECK(half.code == 2);
+    CHECK_THAT(half.err, Catch::Contains("go together"));
+}
+
 TEST_CASE("compare writes the difference, and refuses what it cannot compare or write") {
     const Folder folder;
     onde::write_exr(folder / "a.exr", plain(0.5f), {});

@@ -91,3 +91,22 @@ TEST_CASE("the difference image is absolute and opaque") {
     const Image difference = difference_image(grey(2, 1, 0.25f, 4), grey(2, 1, 0.75f, 4));
     CHECK(difference.pixels == std::vector<float>{0.5f, 0.5f, 0.5f, 1, 0.5f, 0.5f, 0.5f, 1});
 }
+
+TEST_CASE("pixels off by more than their noise fail the test of noise, and no others") {
+    const uint32_t samples = 100;
+    const Image reference = grey(10, 10, 0.5f), variance = grey(10, 10, 0.04f); // sigma 0.02
+    CHECK(share_within_noise(reference, reference, variance, samples) == 1.0);
+    CHECK(share_within_noise(grey(10, 10, 0.56f), reference, variance, samples) == 1.0);
+    // One of a hundred pixels exceeds 3.89 sigma in 1 % of all pictures.
+    CHECK(share_within_noise(grey(10, 10, 0.5f + 3.85f * 0.02f), reference, variance, samples) ==
+          1.0);
+    CHECK(share_within_noise(grey(10, 10, 0.5f + 3.93f * 0.02f), reference, variance, samples) ==
+          0.0);
+    Image one = reference;
+    one.pixels[7] = 1.0f;
+    CHECK(share_within_noise(one, reference, variance, samples) == Approx(299.0 / 300.0));
+    one.pixels[7] = std::nanf("");
+    CHECK(share_within_noise(one, reference, variance, samples) == Approx(299.0 / 300.0));
+    CHECK_THROWS_AS(share_within_noise(reference, reference, grey(9, 10, 0.04f), samples),
+                    InputError);
+}

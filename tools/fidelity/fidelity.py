@@ -15,6 +15,7 @@ from pathlib import Path
 import models
 import page
 import pictures
+import scenes
 import ticks
 from PIL import Image
 
@@ -95,17 +96,20 @@ def judge(model, rendered, plain, tests):
 
 def arguments():
     parser = argparse.ArgumentParser(prog="./run fidelity", description=__doc__.split("\n\n")[0])
-    parser.add_argument("models", nargs="*", help="names of models (all)")
+    parser.add_argument("models", nargs="*", help="names of models, or of scenes (all)")
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "build/fidelity", help="folder of the page")
     parser.add_argument("--assets", type=Path, default=ROOT.parent / "shared/assets")
     parser.add_argument("--spp", type=int, default=64)
     parser.add_argument("--onde", type=Path, default=ROOT / "build/onde/onde")
     parser.add_argument("--signs", action="store_true", help="only models with signs and compressed variants, hardly lit")
+    parser.add_argument("--scenes", action="store_true", help="scenes of pbrt and Mitsuba beside their references")
     return parser.parse_args()
 
 
 def main():
     options = arguments()
+    if options.scenes:
+        return scenes.compare(options)
     found = models.models(options.assets)
     if not found:
         print(f"there are no models in {options.assets}/gltf; name a folder that has some with --assets")

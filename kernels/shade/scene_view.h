@@ -49,6 +49,10 @@
 #ifndef ONDE_ENVIRONMENT
     #define ONDE_ENVIRONMENT 1
 #endif
+// Whether the scene has a light tree.
+#ifndef ONDE_LIGHT_TREE
+    #define ONDE_LIGHT_TREE 0
+#endif
 // Bits MATERIAL_... and LIGHT_...
 #ifndef ONDE_KINDS
     #define ONDE_KINDS 0xffffffffu

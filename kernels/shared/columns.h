@@ -24,11 +24,12 @@
 #define PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                        \
     VECTOR(origin) VECTOR(direction) VECTOR(throughput) REAL(pdf)
 
-// The same where AOVs ask what came before: shares of its light by what the first surface did (see
-// film/light_shares.h), and whether it has met nothing but mirrors.
-#define TRAILED_PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                \
-    PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                            \
-    VECTOR(diffuse) REAL(transmitted) NATURAL(mirrored)
+// What it has beside that where AOVs ask what came before: shares of its light by what the first
+// surface did (see film/light_shares.h), and whether it has met nothing but mirrors.
+#define TRAIL_COLUMNS(VECTOR, REAL, NATURAL) VECTOR(diffuse) REAL(transmitted) NATURAL(mirrored)
+
+// And where lights are chosen by a tree: the normal at the last vertex, as in Receiver.
+#define RECEIVER_COLUMNS(VECTOR, REAL, NATURAL) VECTOR(normal)
 
 // A path from a light. Its power is emitted times throughput, that of the surfaces so far.
 #define LIGHT_PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                  \

@@ -140,7 +140,10 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
         gathered.sum = choose(alive, add3(gathered.sum, step.emitted), gathered.sum);
     #endif
     #if ONDE_AOVS
-        if (bounce == 0) gather_aovs(AOV_SOURCE_SURFACE, step.aovs, alive, &gathered.aovs);
+        if (bounce == 0) {
+            gather_aovs(AOV_SOURCE_SURFACE, step.aovs, alive, &gathered.aovs);
+            gather_aovs(AOV_SOURCE_RAY, step.aovs, alive, &gathered.aovs);
+        }
     #endif
     #if ONDE_TRAIL
         gather_aovs(AOV_SOURCE_GUIDE, step.aovs, alive & step.guided, &gathered.aovs);

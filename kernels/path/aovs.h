@@ -42,6 +42,7 @@ INLINE real3 aov_uv(SceneView view, Vertex v, real3 direction) {
     // All of SURFACE that the program has, of the lanes that have found a surface, in `all`.
     #define ONDE_FIND_SURFACE(name)                                                                \
         all.name = choose(found, aov_##name(view, v, direction), all.name);
+    #define ONDE_FIND_RAY(name)
     #define ONDE_FIND_GUIDE(name)
     #define ONDE_FIND_LIGHT(name)
     #define ONDE_FIND_SAMPLE(name)

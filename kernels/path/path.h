@@ -6,6 +6,7 @@
 
 #include "path/aovs.h"
 #include "path/ground.h"
+#include "path/motion.h"
 #include "shade/camera.h"
 #include "shade/connection.h"
 #include "shade/light.h"
@@ -41,7 +42,7 @@ typedef struct {
     natural group; // of lights, of what was found
 #endif
 #if ONDE_AOVS
-    Aovs aovs;   // those of surfaces at the first vertex, guides where `guided`
+    Aovs aovs;   // those of rays and surfaces at the first vertex, guides where `guided`
     mask guided; // whether this is the vertex that guides
 #endif
 #if ONDE_GROUND
@@ -215,6 +216,10 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
 #if ONDE_AOVS
     result.aovs = no_aovs();
     result.guided = lanes & !lanes;
+    #if ONDE_MOTION
+    if (HAS_AOV(MOTION) && bounce == 0)
+        result.aovs.motion = path_motion(view, path.origin, path.direction, hit, lanes);
+    #endif
 #endif
 #if ONDE_TRAIL
     result.guided = missed & (path.mirrored != 0u);

@@ -11,6 +11,7 @@
 #include "shared/inspect.h"
 #include "shared/items.h"
 #include "shared/light_tracing.h"
+#include "shared/motion.h"
 #include "shared/raster.h"
 #include "shared/scene.h"
 #include "shared/types.h"
@@ -342,6 +343,12 @@
     OFFSET(LightTracingRecord, radius)                                                             \
     OFFSET(LightTracingRecord, splat_scale)                                                        \
     OFFSET(LightTracingRecord, unused)                                                             \
+    SIZE(MoverRecord)                                                                              \
+    OFFSET(MoverRecord, step)                                                                      \
+    OFFSET(MoverRecord, to_world)                                                                  \
+    OFFSET(MoverRecord, deforms)                                                                   \
+    OFFSET(MoverRecord, first_triangle)                                                            \
+    OFFSET(MoverRecord, unused)                                                                    \
     SIZE(RasterRecord)                                                                             \
     OFFSET(RasterRecord, background)                                                               \
     OFFSET(RasterRecord, width)                                                                    \

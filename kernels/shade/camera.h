@@ -27,6 +27,16 @@ INLINE real3 camera_target(__global const FrameRecord* frame, real x, real y) {
                  madd3(uniform3(frame->step_x), x, uniform3(frame->corner)));
 }
 
+// How far from the view axis the middle of the lens sees what lies in direction `to`, of any
+// length, or of parallel rays what lies by that from the middle of the screen: in pixels, y
+// downward.
+INLINE real2 film_place(__global const FrameRecord* frame, real3 to) {
+    const real3 step_x = uniform3(frame->step_x), step_y = uniform3(frame->step_y);
+    real scale = 1.0f / dot3(step_x, step_x);
+    if (!frame->orthographic) scale *= frame->focus_distance / dot3(to, uniform3(frame->forward));
+    return make2(dot3(to, step_x) * scale, dot3(to, step_y) * scale);
+}
+
 // The ray through film coordinates, without a lens.
 INLINE CameraRay camera_ray_through(__global const FrameRecord* frame, real x, real y) {
     const real3 target = camera_target(frame, x, y);

@@ -3,6 +3,7 @@
 #define ONDE_SHADE_SCENE_VIEW_H
 
 #include "shared/frame.h"
+#include "shared/motion.h"
 #include "shared/scene.h"
 #include "trace/bvh_view.h"
 
@@ -53,6 +54,15 @@
 #ifndef ONDE_LIGHT_TREE
     #define ONDE_LIGHT_TREE 0
 #endif
+// Whether it is known where things are at the next frame.
+#ifndef ONDE_MOTION
+    #define ONDE_MOTION 0
+#endif
+#if ONDE_MOTION
+    #define NEXT_FRAME_BUFFERS MOTION_BUFFERS
+#else
+    #define NEXT_FRAME_BUFFERS(BUFFER)
+#endif
 // Bits MATERIAL_... and LIGHT_...
 #ifndef ONDE_KINDS
     #define ONDE_KINDS 0xffffffffu
@@ -66,6 +76,7 @@ typedef struct {
     __global const FrameRecord* frame;
     BvhView bvh;
     SCENE_BUFFERS(VIEW_MEMBER)
+    NEXT_FRAME_BUFFERS(VIEW_MEMBER)
 } SceneView;
 
 // The same as kernel parameters, in the order in which the host binds them.
@@ -73,14 +84,16 @@ typedef struct {
 #define SCENE_PARAMETER(Type, name, words) , __global const Type* name
 #define SCENE_PARAMETERS                                                                           \
     __global const FrameRecord *frame,                                                             \
-        BVH_BUFFERS(BVH_PARAMETER) uint bvh_root SCENE_BUFFERS(SCENE_PARAMETER)
+        BVH_BUFFERS(BVH_PARAMETER) uint bvh_root SCENE_BUFFERS(SCENE_PARAMETER)                    \
+            NEXT_FRAME_BUFFERS(SCENE_PARAMETER)
 
 // Declares the view and fills it from those parameters.
 #define BVH_ARGUMENT(Type, name, words) bvh_##name,
 #define SCENE_ARGUMENT(Type, name, words) , name
 #define SCENE_VIEW(view)                                                                           \
     const SceneView view = {frame,                                                                 \
-                            {BVH_BUFFERS(BVH_ARGUMENT) bvh_root} SCENE_BUFFERS(SCENE_ARGUMENT)}
+                            {BVH_BUFFERS(BVH_ARGUMENT) bvh_root} SCENE_BUFFERS(SCENE_ARGUMENT)     \
+                                NEXT_FRAME_BUFFERS(SCENE_ARGUMENT)}
 
 // A field of a surface's own record, a float or uint: SURFACE_FIELD(view, i, sphere.radius).
 #define SURFACE_FIELD(view, i, field) RECORD(view.surfaces, i, SurfaceRecord, field)

@@ -3,6 +3,7 @@
 // the mean. A program has only those that a render asks for, ONDE_AOVS by the bits of their
 // numbers. The sources, in whose order they stand here:
 //   SURFACE  the first surface of the path
+//   RAY      what the camera's ray meets, be it a surface or nothing
 //   GUIDE    the first one that is not a mirror or smooth glass
 //   LIGHT    a share of the radiance
 //   SAMPLE   a function of the whole sample's radiance
@@ -16,6 +17,7 @@
     AOV(DEPTH, depth, "depth", "Z", SURFACE)                                                       \
     AOV(POSITION, position, "position", "XYZ", SURFACE)                                            \
     AOV(UV, uv, "uv", "UV", SURFACE)                                                               \
+    AOV(MOTION, motion, "motion", "uv", RAY)                                                       \
     AOV(DENOISE_ALBEDO, denoise_albedo, "denoise-albedo", "RGB", GUIDE)                            \
     AOV(DENOISE_NORMAL, denoise_normal, "denoise-normal", "XYZ", GUIDE)                            \
     AOV(EMISSION, emission, "emission", "RGB", LIGHT)                                              \
@@ -36,9 +38,10 @@
 enum { AOVS(AOV_NUMBER) AOV_COUNT };
 
 #define AOV_SOURCE_SURFACE 0
-#define AOV_SOURCE_GUIDE 1
-#define AOV_SOURCE_LIGHT 2
-#define AOV_SOURCE_SAMPLE 3
+#define AOV_SOURCE_RAY 1
+#define AOV_SOURCE_GUIDE 2
+#define AOV_SOURCE_LIGHT 3
+#define AOV_SOURCE_SAMPLE 4
 
 // Bits of the AOVs of a source.
 #define ONDE_SURFACE_BIT(NAME, name, word, letters, SOURCE)                                        \

@@ -69,7 +69,10 @@ INLINE void stage_shade(Estimator e, WaveView wave, uint bounce, uint begin, uin
         add_to_groups(wave, id, step.group, step.emitted, emitting);
 #endif
 #if ONDE_AOVS
-        if (bounce == 0) store_aovs(wave, id, AOV_SOURCE_SURFACE, step.aovs, mask_bits(lanes));
+        if (bounce == 0) {
+            store_aovs(wave, id, AOV_SOURCE_SURFACE, step.aovs, mask_bits(lanes));
+            store_aovs(wave, id, AOV_SOURCE_RAY, step.aovs, mask_bits(lanes));
+        }
 #endif
 #if ONDE_TRAIL
         store_aovs(wave, id, AOV_SOURCE_GUIDE, step.aovs, mask_bits(lanes & step.guided));

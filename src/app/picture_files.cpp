@@ -20,10 +20,15 @@ struct Channel {
     std::optional<IdLayers> ids{}; ///< instead of letters, numbers and what is shown
 };
 
+/// Layers that compositors know by other names than ours: Nuke has forward.u and forward.v.
+constexpr std::pair<std::string_view, std::string_view> PLAIN_LAYERS[] = {{RADIANCE.name, ""},
+                                                                          {"motion", "forward."}};
+
 /// Passes that Blender knows by other names than ours, capitalised.
 constexpr std::pair<std::string_view, std::string_view> BLENDER_PASSES[] = {
     {RADIANCE.name, "Combined"},
     {"uv", "UV"},
+    {"motion", "Vector"},
     {"emission", "Emit"},
     {"noisy", "Noisy Image"},
     {"denoise-albedo", "Denoising Albedo"},
@@ -31,11 +36,19 @@ constexpr std::pair<std::string_view, std::string_view> BLENDER_PASSES[] = {
 
 const std::string VIEW_LAYER = "ViewLayer.";
 
+template <size_t N>
+std::optional<std::string>
+known_name(const std::pair<std::string_view, std::string_view> (&names)[N],
+           std::string_view channel) {
+    const auto* known = std::ranges::find(names, channel, [](auto& p) { return p.first; });
+    if (known == std::end(names)) return std::nullopt;
+    return std::string(known->second);
+}
+
 std::string blender_pass(std::string_view channel) {
     if (channel.starts_with(GROUP_PREFIX)) // as Cycles calls its light groups
         return "Combined_" + std::string(channel.substr(GROUP_PREFIX.size()));
-    const auto* known = std::ranges::find(BLENDER_PASSES, channel, [](auto& p) { return p.first; });
-    if (known != std::end(BLENDER_PASSES)) return std::string(known->second);
+    if (const auto known = known_name(BLENDER_PASSES, channel)) return *known;
     std::string pass(channel);
     bool begins = true;
     for (char& c : pass) {
@@ -48,25 +61,35 @@ std::string blender_pass(std::string_view channel) {
 
 /// "albedo."; compositors want letters, digits and underscores.
 std::string plain_layer(std::string_view channel) {
-    if (channel == RADIANCE.name) return "";
+    if (const auto known = known_name(PLAIN_LAYERS, channel)) return *known;
     std::string layer(channel);
     std::ranges::replace(layer, '-', '_');
     return layer + ".";
 }
 
-/// As it is seen: directions by their octant and alpha as its plain numbers, as mattes are; colours
-/// as they are, others grey, where the largest is white.
+float largest_size(const Image& numbers) {
+    float largest = 0;
+    for (const float number : numbers.pixels) largest = std::max(largest, std::abs(number));
+    return largest;
+}
+
+/// As it is seen: directions by their octant, motion likewise, the largest as 1, and alpha as its
+/// plain numbers, as mattes are; colours as they are, others grey, where the largest is white.
 Image shown_channel(const Image& numbers, const FilmChannel& channel) {
-    const bool is_direction = channel.sums == AOV_NORMAL || channel.sums == AOV_DENOISE_NORMAL;
+    const bool is_motion = channel.sums == AOV_MOTION;
+    const bool is_direction =
+        is_motion || channel.sums == AOV_NORMAL || channel.sums == AOV_DENOISE_NORMAL;
     const bool is_matte = channel.sums == AOV_ALPHA;
-    const float largest = numbers.channels > 1 ? 1.0f : std::ranges::max(numbers.pixels);
+    const bool is_scaled = is_motion || numbers.channels == 1;
+    const float largest = is_scaled ? std::max(largest_size(numbers), 1e-30f) : 1.0f;
     Image shown(numbers.width, numbers.height, numbers.channels == 2 ? 3 : numbers.channels);
+    if (is_motion) std::ranges::fill(shown.pixels, linear_from_srgb(0.5f));
     for (size_t i = 0; i < numbers.pixels.size(); i++) {
-        const float number = numbers.pixels[i];
+        const float number = is_matte ? numbers.pixels[i] : numbers.pixels[i] / largest;
         shown.pixels[i / numbers.channels * shown.channels + i % numbers.channels] =
             is_direction ? linear_from_srgb(0.5f + 0.5f * number)
             : is_matte   ? linear_from_srgb(std::clamp(number, 0.0f, 1.0f))
-                         : number / std::max(largest, 1e-30f);
+                         : number;
     }
     return shown;
 }
@@ -157,9 +180,20 @@ std::vector<std::string> exr_names(std::string_view channel, std::string_view le
     return all;
 }
 
+/// Blender's vectors have four components: the way to where a point was a frame ago, and the way
+/// back from where it will be at the next. Motion that goes on as it is has the same for both.
+static Image blender_vectors(const Image& motion) {
+    Image vectors(motion.width, motion.height, 4);
+    for (size_t i = 0; i < vectors.pixels.size(); i++)
+        vectors.pixels[i] = -motion.pixels[i / 4 * 2 + i % 2];
+    return vectors;
+}
+
 ExrLayer exr_layer(std::string_view channel, std::string_view letters, const Image& numbers,
                    ExrDepth depth_of_light, ExrNames names) {
     const FilmChannel* known = find_channel(channel);
+    if (known && known->sums == AOV_MOTION && names == ExrNames::blender)
+        return {blender_vectors(numbers), exr_names(channel, "XYZW", names), ExrDepth::full_float};
     const bool is_light =
         channel == RADIANCE.name || channel.starts_with(GROUP_PREFIX) ||
         (known && known->sums < AOV_COUNT && (LIGHT_AOVS >> known->sums & 1) != 0);

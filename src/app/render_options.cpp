@@ -116,7 +116,10 @@ void declare_sequence(Command& command, RenderRequest& r) {
     command.option("--frames", &r.frames,
                    "Render these frames of a glTF file's animation, OUTPUT.0000.png and on",
                    {.value = "FIRST:LAST"});
-    command.option("--fps", &r.frames_a_second, "Frames a second of --frames (24)", {.value = "N"});
+    command.option("--fps", &r.frames_a_second,
+                   "Frames a second of --frames, and of the next frame to which --aov motion leads "
+                   "(24)",
+                   {.value = "N"});
 }
 
 void declare_reports(Command& command, RenderRequest& r) {

@@ -1,6 +1,7 @@
 #include "app/sequence.h"
 
 #include "app/film_request.h"
+#include "app/motion_request.h"
 
 #include "core/error.h"
 #include "core/log.h"
@@ -19,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double FRAMES_A_SECOND = 24;
-
 /// The most moments of an animation that its camera is fitted to.
 constexpr size_t MOST_FITTED = 16;
 
@@ -37,15 +36,12 @@ Camera turned_camera(const Camera& camera, const SceneBounds& bounds, double rad
 }
 
 void check_sequence(const RenderRequest& r) {
-    if (r.frames.empty() && r.frames_a_second) throw InputError("--fps is of --frames; give both");
+    check_frames_a_second(r);
     if (r.frames.empty()) return;
     if (r.turntable)
         throw InputError("--frames and --turntable can't be had at once; give one of them");
     if (r.load.options.at)
         throw InputError("--at is one moment and --frames are many; give one of them");
-    if (r.frames_a_second && !(*r.frames_a_second > 0 && std::isfinite(*r.frames_a_second)))
-        throw InputError("--fps {} is not a positive number of frames a second",
-                         *r.frames_a_second);
 }
 
 std::vector<Shot> frame_shots(const RenderRequest& request) {
@@ -65,16 +61,18 @@ std::vector<Shot> frame_shots(const RenderRequest& request) {
         shots.push_back({.name = fmt::format("frame {} ({} of {})", first + i, i + 1,
                                              uint64_t(last - first) + 1),
                          .number = first + i,
-                         .at = (first + i) / request.frames_a_second.value_or(FRAMES_A_SECOND)});
+                         .at = (first + i) / frames_a_second(request)});
     return shots;
 }
 
 std::vector<Shot> turntable_shots(uint32_t count) {
     std::vector<Shot> shots;
+    const auto turn_of = [&](uint32_t picture) { return 2 * std::numbers::pi * picture / count; };
     for (uint32_t i = 0; i < count; ++i)
         shots.push_back({.name = fmt::format("picture {} of {}", i + 1, count),
                          .number = i + 1,
-                         .turn = 2 * std::numbers::pi * i / count});
+                         .turn = turn_of(i),
+                         .next_turn = turn_of(i + 1)});
     return shots;
 }
 
@@ -141,6 +139,7 @@ void ShotSession::load(const Shot& shot, const std::vector<fs::path>& outputs) {
     group_.reset(); // its memory first
     if (shot.at) options_.at = shot.at;
     Scene scene = load_scene(request_.scene, options_);
+    add_next_frame(scene, request_, options_);
     check_outputs_not_read(outputs, request_, scene);
     if (!shot.film.empty()) check_not_read(shot.film, scene.files);
     load_seconds_ += timer.seconds();
@@ -164,11 +163,19 @@ void ShotSession::load(const Shot& shot, const std::vector<fs::path>& outputs) {
 
 DeviceGroup& ShotSession::show(const Shot& shot) {
     if (at_ != shot.at) load(shot, shot.outputs);
-    if (shot.turn == 0) return *group_;
-    group_->set_camera(turned_camera(camera_, bounds_, shot.turn));
-    // The added studio stands about the camera, as about a turntable on which the model turns.
-    if (group_->session().scene().has_studio) group_->set_environment_rotation(float(shot.turn));
+    if (request_.turntable) turn(shot);
     return *group_;
+}
+
+void ShotSession::turn(const Shot& shot) {
+    const Scene& scene = group_->session().scene();
+    // The added studio stands about the camera, as about a turntable on which the model turns.
+    if (shot.turn != 0) {
+        group_->set_camera(turned_camera(camera_, bounds_, shot.turn));
+        if (scene.has_studio) group_->set_environment_rotation(float(shot.turn));
+    }
+    group_->set_next_view(turned_camera(camera_, bounds_, shot.next_turn),
+                          scene.has_studio ? float(shot.next_turn) : scene.environment.rotation);
 }
 
 } // namespace onde::app

@@ -18,6 +18,7 @@ struct Shot {
     std::string name{};         ///< "frame 12 (3 of 24)"; empty where it is the only one
     uint32_t number = 0;        ///< of its files
     double turn = 0;            ///< of the camera about the scene, radians
+    double next_turn = 0;       ///< of the next picture's
     std::optional<double> at{}; ///< seconds of the animation
     std::vector<std::filesystem::path> outputs{};
     std::filesystem::path film{}, resume{}; ///< film files, or empty
@@ -48,6 +49,8 @@ class ShotSession {
     double take_load_seconds() { return std::exchange(load_seconds_, 0); }
 
   private:
+    /// Turns the camera as a picture of a turntable has it.
+    void turn(const Shot& shot);
     void load(const Shot& shot, const std::vector<std::filesystem::path>& outputs);
 
     const Machines& machines_;

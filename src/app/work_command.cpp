@@ -1,6 +1,7 @@
 #include "app/work_command.h"
 
 #include "app/film_request.h"
+#include "app/motion_request.h"
 #include "app/picture.h"
 #include "app/picture_files.h"
 #include "app/unit_renderer.h"
@@ -45,6 +46,7 @@ void check_work_request(const WorkRequest& r) {
         throw InputError("workers only make a film and its picture; leave out --denoise, --stats "
                          "and --json, and give them to onde render --resume STORE/film.exr");
     check_request(render);
+    check_frames_a_second(render);
     if (render.outputs.empty()) return;
     check_outputs(named_outputs(render), render);
 }
@@ -90,6 +92,13 @@ bool work(Worker& worker, const StopOnInterrupt& interrupt) {
     return true;
 }
 
+Scene load_scene_with_motion(const RenderRequest& request) {
+    const LoadOptions options = requested_load(request);
+    Scene scene = load_scene(request.scene, options);
+    add_next_frame(scene, request, options);
+    return scene;
+}
+
 bool run_work(const WorkRequest& request) {
     set_up_logging(request.render.quiet);
     check_work_request(request);
@@ -98,7 +107,7 @@ bool run_work(const WorkRequest& request) {
     RenderRequest own = request.render;
     own.choices.noise = 0; // the scene's is left out, and its denoiser
     own.denoise = Denoiser::off;
-    Session session = open_session(machine, load_requested_scene(own), own);
+    Session session = open_session(machine, load_scene_with_motion(own), own);
     StopOnInterrupt interrupt;
     UnitRenderer renderer(session, request.render, interrupt);
     Worker worker(store, plan_of(request, renderer.header()), request.verify / 100,

@@ -150,6 +150,7 @@ FilmIdentity film_identity(const Scene& scene, const RenderOptions& options, con
             options.aovs,
             options.light_groups,
             options.ids ? hash_of_names(id_names(scene)) : NO_IDS,
+            options.aovs >> AOV_MOTION & 1 ? next_frame_hash(scene.next.value()) : NO_NEXT_FRAME,
             options.clamp,
             options.noise,
             options.noise_exposure,

@@ -17,6 +17,9 @@ namespace onde {
 /// Of films that do not count what their samples see.
 inline constexpr const char* NO_IDS = "none";
 
+/// Of films without motion.
+inline constexpr const char* NO_NEXT_FRAME = "none";
+
 /// Films of equal identities hold samples of one picture.
 struct FilmIdentity {
     std::string scene; ///< scene_hash()
@@ -27,6 +30,7 @@ struct FilmIdentity {
     uint32_t aovs;
     std::vector<std::string> light_groups; ///< of which the film has the light, or empty
     std::string ids;                       ///< a hash of the names of what it counts, or NO_IDS
+    std::string next_frame;                ///< next_frame_hash(), or NO_NEXT_FRAME
     float clamp, noise, noise_exposure;
     bool watertight;
     LightSampler light_sampler;
@@ -53,6 +57,7 @@ constexpr auto fields_of(TypeTag<FilmIdentity>) {
                       field_without_key(&I::aovs, "set of AOVs"),
                       field_without_key(&I::light_groups, "list of light groups"),
                       field_without_key(&I::ids, "hash of names"),
+                      field_without_key(&I::next_frame, "next frame"),
                       field_without_key(&I::watertight, "triangle test"),
                       field_without_key(&I::light_sampler, "light sampler")};
 }

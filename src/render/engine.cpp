@@ -2,6 +2,7 @@
 
 #include "render/frame.h"
 #include "render/wave_memory.h"
+#include "shared/aovs.h"
 
 #include <algorithm>
 #include <bit>
@@ -9,7 +10,7 @@
 namespace onde {
 
 JobBuffers::JobBuffers(gpu::BufferList& buffers, const RenderOptions& options)
-    : frame(buffers.add<FrameRecord>("frame", 1)),
+    : frame(buffers.add<FrameRecord>("frame", 1 + (options.aovs >> AOV_MOTION & 1))),
       counters(buffers.add<uint32_t>("ray counters", COUNTER_SIZE)),
       totals(buffers.add<uint64_t>("ray totals", COUNTER_SIZE)),
       pixel_order(buffers.add<uint32_t>("pixel order", size_t(options.width) * options.height)) {
@@ -25,8 +26,8 @@ KernelArguments::KernelArguments(const EngineContext& context)
 }
 
 void KernelArguments::begin_picture(const Camera& camera) {
-    const FrameRecord frame = make_frame(scene_.packed(), camera, options_);
-    job_.frame.write(device_, std::span(&frame, 1));
+    const std::vector<FrameRecord> frames = make_frames(scene_.packed(), camera, options_);
+    job_.frame.write(device_, std::span<const FrameRecord>(frames));
     job_.counters.fill(device_, 0u);
     job_.totals.fill(device_, uint64_t(0));
 }

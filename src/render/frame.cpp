@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "render/filter.h"
+#include "shared/aovs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +101,11 @@ void check_screen(const Camera& camera, uint32_t width, uint32_t height) {
                      a, b, a / width, b / height, width, height);
 }
 
+static float turns_of(float radians) {
+    const float turns = radians * float(0.5 / std::numbers::pi);
+    return std::abs(turns) > 1.0f ? turns - std::round(turns) : turns;
+}
+
 FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
                        const RenderOptions& options) {
     FrameRecord frame{};
@@ -117,13 +123,21 @@ FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
     frame.environment_floor = scene.environment_floor;
     std::ranges::copy(scene.environment_scale, frame.environment_scale);
     copy(frame.environment_radiance, scene.environment_radiance);
-    const float turns = scene.environment_rotation * float(0.5 / std::numbers::pi);
-    frame.environment_rotation = std::abs(turns) > 1.0f ? turns - std::round(turns) : turns;
+    frame.environment_rotation = turns_of(scene.environment_rotation);
     copy(frame.ground_share, scene.ground_share);
     frame.ground_height = scene.ground_height;
     frame.most_radiance = options.clamp;
     std::ranges::copy(filter_table(options.filter), frame.filter_table);
     return frame;
+}
+
+std::vector<FrameRecord> make_frames(const PackedScene& scene, const Camera& camera,
+                                     const RenderOptions& options) {
+    std::vector<FrameRecord> frames{make_frame(scene, camera, options)};
+    if (!(options.aovs >> AOV_MOTION & 1)) return frames;
+    frames.push_back(make_frame(scene, scene.next_cameras.at(options.camera), options));
+    frames.back().environment_rotation = turns_of(scene.next_environment_rotation);
+    return frames;
 }
 
 /// The bits at even places of a 6-bit number, as a 3-bit number.

@@ -16,6 +16,10 @@ void check_screen(const Camera& camera, uint32_t width, uint32_t height);
 FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
                        const RenderOptions& options);
 
+/// That, and of films with motion that of the next frame behind it.
+std::vector<FrameRecord> make_frames(const PackedScene& scene, const Camera& camera,
+                                     const RenderOptions& options);
+
 /// Every pixel of a rectangle as x | y << 16: 8x8 tiles row by row, Morton order inside, so that
 /// neighbours in a wave are neighbours in the picture.
 std::vector<uint32_t> pixel_order(const Rectangle& rectangle);

@@ -13,6 +13,11 @@ void add(Hasher& hasher, bool value) {
     hasher.value(uint32_t(value));
 }
 
+void add(Hasher& hasher, const NextInstance& instance) {
+    hasher.value(instance.object_to_world).value(instance.steps.value_or(0));
+    hasher.value(uint32_t(instance.steps.has_value()));
+}
+
 /// Numbers, vectors, matrices and enums: plain bytes.
 template <class T>
 requires(std::is_trivially_copyable_v<T> && !Fielded<T>) void add(Hasher& hasher, const T& value) {
@@ -84,6 +89,15 @@ void add(Hasher& hasher, const std::map<uint32_t, T>& values) {
 }
 
 } // namespace
+
+std::string next_frame_hash(const NextFrame& next) {
+    Hasher hasher;
+    add(hasher, next.cameras);
+    add(hasher, next.instances);
+    for (const std::vector<glm::vec3>& steps : next.steps) add_span(hasher, steps);
+    hasher.value(next.environment_rotation);
+    return hasher.hex();
+}
 
 std::string scene_hash(const Scene& scene) {
     Hasher hasher;

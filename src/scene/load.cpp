@@ -81,7 +81,7 @@ static void note_torn(Scene& scene) {
         at.x, at.y, at.z, glm::length(torn.middle), 2.0 * torn.size, 100.0 * torn.weight));
 }
 
-LoadedScene load_uncompleted(const fs::path& path, const LoadOptions& options) {
+Scene load_uncompleted(const fs::path& path, const LoadOptions& options) {
     LoadContext context(options);
     Scene scene = load_part(path, context);
     if (!options.animation.empty() && !context.is_animated())
@@ -98,19 +98,19 @@ LoadedScene load_uncompleted(const fs::path& path, const LoadOptions& options) {
     bound_environment(scene);
     scene.files = context.files();
     scene.files.push_back(path);
-    const int exponent = naming(path, [&] {
+    naming(path, [&] {
         check_scene(scene);
         if (options.stage) count_from(options.stage->origin, scene);
         note_origin(scene);
         note_torn(scene);
-        return bring_to_scale(scene, options.stage ? std::optional(options.stage->exponent)
-                                                   : std::nullopt);
+        scene.exponent = bring_to_scale(
+            scene, options.stage ? std::optional(options.stage->exponent) : std::nullopt);
     });
-    return {std::move(scene), exponent};
+    return scene;
 }
 
 Scene load_scene(const fs::path& path, const LoadOptions& options) {
-    Scene scene = load_uncompleted(path, options).scene;
+    Scene scene = load_uncompleted(path, options);
     naming(path, [&] {
         complete_scene(scene, options, is_model(path));
         check_scene(scene); // a framing camera of a scene near the end of float's range

@@ -28,13 +28,8 @@ Scene load_part(const std::filesystem::path& path, LoadContext& context,
 /// Whether the file's format is one of things, and not of scenes that somebody has lit.
 bool is_model(const std::filesystem::path& path);
 
-struct LoadedScene {
-    Scene scene;
-    int exponent = 0; ///< of two, by which lengths were multiplied
-};
-
 /// A scene as load_scene() loads it, before complete_scene().
-LoadedScene load_uncompleted(const std::filesystem::path& path, const LoadOptions& options);
+Scene load_uncompleted(const std::filesystem::path& path, const LoadOptions& options);
 
 /// Takes infinite pixels of the environment as large finite ones, with a note.
 void bound_environment(Scene& scene);

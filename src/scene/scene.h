@@ -10,6 +10,7 @@
 #include "scene/geometry.h"
 #include "scene/light.h"
 #include "scene/material.h"
+#include "scene/next_frame.h"
 #include "scene/settings.h"
 
 #include <filesystem>
@@ -20,6 +21,7 @@ namespace onde {
 
 struct Scene {
     glm::dvec3 origin{0.0}; ///< in the file's coordinates: where positions are counted from
+    int exponent = 0;       ///< of two, by which loading has multiplied lengths
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
@@ -33,6 +35,7 @@ struct Scene {
     Environment environment;
     bool has_studio = false; ///< the environment is the studio that loading has added
     std::vector<Camera> cameras;
+    std::optional<NextFrame> next{}; ///< of an animation, where it is asked for
     RenderSettings settings;
     ChapterScene chapter;
     std::vector<std::filesystem::path> files; ///< that it was read from, or may have been

@@ -49,13 +49,13 @@ Stage fit_stage(const std::filesystem::path& path, LoadOptions options,
     std::optional<StageFit> fit;
     for (const double at : seconds) {
         options.at = at;
-        const LoadedScene loaded = load_uncompleted(path, options);
+        const Scene scene = load_uncompleted(path, options);
         if (!fit) {
-            options.stage = Stage{.origin = loaded.scene.origin, .exponent = loaded.exponent};
-            fit.emplace(loaded.scene, options, is_model(path));
+            options.stage = Stage{.origin = scene.origin, .exponent = scene.exponent};
+            fit.emplace(scene, options, is_model(path));
         }
         if (!fit->is_wanted()) break;
-        fit->add(loaded.scene);
+        fit->add(scene);
     }
     Stage stage = fit->stage();
     stage.origin = options.stage->origin;

@@ -30,6 +30,12 @@ void DeviceGroup::set_environment_rotation(float radians) {
     work_.reset();
 }
 
+void DeviceGroup::set_next_view(const Camera& camera, float environment_rotation) {
+    for (size_t i = 0; i < size(); i++)
+        if (!is_lost_[i]) sessions_[i]->set_next_view(camera, environment_rotation);
+    work_.reset();
+}
+
 void DeviceGroup::lose(size_t device, const std::string& why) {
     const std::lock_guard lock(losing_);
     is_lost_[device] = true;

@@ -30,6 +30,7 @@ class DeviceGroup {
 
     void set_camera(const Camera& camera);
     void set_environment_rotation(float radians);
+    void set_next_view(const Camera& camera, float environment_rotation);
     /// As Session::prepare(), on all devices; the report of the first.
     gpu::BuildReport prepare();
 

@@ -57,6 +57,7 @@ Session::Session(gpu::Programs& programs, Scene scene, SessionOptions options)
     check_screen(camera(), options_.render.width, options_.render.height);
     for (const std::string& sentence : scene_.notes) note(sentence);
     note_mapping();
+    complete_next_frame();
     denoiser_ = make_denoiser();
     fit_waves(PackedScene{}); // what does not fit at all is found before the scene is packed
     if (options_.choose_layout)
@@ -77,6 +78,13 @@ void Session::note(std::string sentence) {
     notes_.push_back(std::move(sentence));
 }
 
+void Session::complete_next_frame() {
+    if ((options_.render.aovs >> AOV_MOTION & 1) && !scene_.next) {
+        scene_.next = standing_still(scene_);
+        change_ = placed_ ? SceneChange::transforms : SceneChange::none;
+    }
+}
+
 std::unique_ptr<PictureDenoiser> Session::make_denoiser() {
     if (options_.denoiser.denoiser == Denoiser::off) return nullptr;
     check_denoisable(options_.render.integrator);
@@ -94,6 +102,7 @@ SceneFeatures Session::features_of(const PackedScene& packed) const {
     SceneFeatures features = options_.features.value_or(packed.features);
     features.layout = packed.features.layout;
     features.light_tree = packed.features.light_tree;
+    features.motion = packed.features.motion;
     return options_.further_features ? joined(features, *options_.further_features) : features;
 }
 
@@ -307,6 +316,7 @@ void Session::set_options(const RenderOptions& options) {
     const RenderOptions before = std::exchange(options_.render, options);
     const bool same_film = same_but_for_length(before, options);
     try {
+        complete_next_frame();
         if (!same_film) fit_waves(packed());
         if (options.width != before.width || options.integrator != before.integrator)
             denoiser_ = make_denoiser();
@@ -323,6 +333,8 @@ void Session::set_camera(const Camera& value) {
     check_camera(value, options_.render.camera);
     check_screen(value, options_.render.width, options_.render.height);
     scene_.cameras[options_.render.camera] = value;
+    if (scene_.next) scene_.next->cameras[options_.render.camera] = value;
+    placed_->set_next_view(scene_);
     if (value.orthographic_height && !placed_->packed().bounds) placed_->set_bounds(scene_);
     if (integrator_ && !integrator_->set_camera(value)) integrator_.reset();
 }
@@ -331,6 +343,19 @@ void Session::set_environment_rotation(float radians) {
     if (!std::isfinite(radians)) throw InputError("the environment's rotation must be finite");
     scene_.environment.rotation = radians;
     placed_->set_environment_rotation(radians);
+    if (scene_.next) scene_.next->environment_rotation = radians;
+    placed_->set_next_view(scene_);
+    if (integrator_ && !integrator_->set_camera(camera())) integrator_.reset();
+}
+
+void Session::set_next_view(const Camera& value, float environment_rotation) {
+    check_camera(value, options_.render.camera);
+    if (!std::isfinite(environment_rotation))
+        throw InputError("the environment's rotation must be finite");
+    if (!scene_.next) return;
+    scene_.next->cameras[options_.render.camera] = value;
+    scene_.next->environment_rotation = environment_rotation;
+    placed_->set_next_view(scene_);
     if (integrator_ && !integrator_->set_camera(camera())) integrator_.reset();
 }
 
@@ -351,6 +376,7 @@ void Session::set_instance_transform(size_t index, const glm::mat4& object_to_wo
     Instance& instance = find(scene_.instances, index, "instance");
     check_transform(object_to_world, "instance", index);
     instance.object_to_world = object_to_world;
+    if (scene_.next) scene_.next->instances[index] = {object_to_world};
     changed(SceneChange::transforms);
 }
 

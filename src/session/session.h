@@ -126,6 +126,9 @@ class Session {
     void set_camera(const Camera& camera);
     /// Turns the environment's map: radians, counter-clockwise seen from above.
     void set_environment_rotation(float radians);
+    /// Of films with motion: the camera that is looked through at the next frame, and how the
+    /// environment's map is turned then. What was edited otherwise stands still until then.
+    void set_next_view(const Camera& camera, float environment_rotation);
     void set_material(size_t material, const Material& value);
     void set_instance_transform(size_t instance, const glm::mat4& object_to_world);
     void set_shape_transform(size_t shape, const glm::mat4& object_to_world);
@@ -137,6 +140,8 @@ class Session {
     std::unique_ptr<PictureDenoiser> make_denoiser();
     Image before_background(const Image& radiance);
     void note_waves(uint32_t asked);
+    /// Films with motion need a next frame: without one, nothing moves.
+    void complete_next_frame();
     SceneFeatures features_of(const PackedScene& packed) const;
     bool halve_waves();
     /// Halves waves until the render fits beside the scene; throws DeviceError if none do.

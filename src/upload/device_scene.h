@@ -25,6 +25,8 @@ class DeviceScene {
     void set_bounds(const Scene& scene) { packed_.bounds = bounds_for_parallel_rays(scene); }
     /// Turns the environment's map, radians; it is not in what is bound.
     void set_environment_rotation(float radians) { packed_.environment_rotation = radians; }
+    /// How the scene is seen at the next frame; it is not in what is bound.
+    void set_next_view(const Scene& scene) { take_next_view(packed_, scene); }
     uint64_t bvh_bytes() const { return tree_.bytes(); }
 
     /// Binds the scene's parameters of a kernel (SCENE_PARAMETERS of kernels/shade/scene_view.h but
@@ -35,7 +37,7 @@ class DeviceScene {
     PackedScene packed_;
     DeviceBvh tree_;
 #define ONDE_BUFFER(Type, name, words) gpu::Buffer<Type> name##_;
-    SCENE_BUFFERS(ONDE_BUFFER)
+    PACKED_BUFFERS(ONDE_BUFFER)
 #undef ONDE_BUFFER
 };
 

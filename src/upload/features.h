@@ -32,6 +32,7 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(bool, alpha, false, ALPHA, either)     /* some surface lets rays pass */               \
     FEATURE(bool, culling, false, CULLING, either) /* cameras see through the back of some */      \
     FEATURE(bool, ground, false, GROUND, either)   /* a plane takes the scene's shadow */          \
+    FEATURE(bool, motion, false, MOTION, data)     /* the next frame is known */                   \
     FEATURE(uint32_t, kinds, 0, KINDS, either)     /* bits by MATERIAL_... */                      \
     FEATURE(uint32_t, lights, 0, LIGHTS, either)   /* bits by LIGHT_... */                         \
     FEATURE(bool, light_tree, false, LIGHT_TREE, data)                                             \

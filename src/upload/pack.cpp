@@ -51,6 +51,7 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.light_tree = !packed.light_tree.empty();
     features.ground = packed.ground_share != glm::vec3(0.0f);
     features.environment = packed.environment_light != NO_INDEX;
+    features.motion = scene.next.has_value();
     // Rounded up, so that scenes of similar depth share a compiled program.
     const uint32_t step = features.layout == BvhLayout::wide ? 32 : 16; // GPUs have little room
     features.stack_size = std::max(2 * step, (packed.bvh.stack_size + step - 1) / step * step);
@@ -64,7 +65,7 @@ std::vector<gpu::BufferSize> PackedScene::device_buffers() const {
     BVH_BUFFERS(ONDE_SIZE)
 #undef ONDE_SIZE
 #define ONDE_SIZE(Type, name, words) sizes.push_back({words, name.size() * sizeof(Type)});
-    SCENE_BUFFERS(ONDE_SIZE)
+    PACKED_BUFFERS(ONDE_SIZE)
 #undef ONDE_SIZE
     return sizes;
 }
@@ -88,6 +89,7 @@ static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry 
     packed.lights = std::move(lights.records);
     packed.light_tree = std::move(lights.tree);
     packed.environment_light = lights.environment;
+    static_cast<MotionArrays&>(packed) = pack_motion(scene, flat);
     packed.surfaces = std::move(flat.surfaces);
     packed.bulges = std::move(flat.bulges);
     packed.vertices = std::move(flat.vertices);
@@ -104,6 +106,12 @@ static void put_environment(PackedScene& packed, PackedEnvironment environment) 
     packed.environment_height = environment.height;
     packed.environment_floor = environment.floor;
     std::ranges::copy(environment.scale, packed.environment_scale);
+}
+
+void take_next_view(PackedScene& packed, const Scene& scene) {
+    if (!scene.next) return;
+    packed.next_cameras = scene.next->cameras;
+    packed.next_environment_rotation = scene.next->environment_rotation;
 }
 
 PackedScene pack_scene(const Scene& scene, const BvhOptions& options, const LightOptions& lights) {
@@ -125,6 +133,7 @@ PackedScene pack_scene(const Scene& scene, const BvhOptions& options, const Ligh
     packed.environment_radiance = scene.environment.radiance;
     packed.environment_rotation = scene.environment.rotation;
     packed.environment_group = LightGroups(scene)(scene.environment.group);
+    take_next_view(packed, scene);
     packed.features = find_features(scene, packed);
     return packed;
 }
@@ -147,6 +156,7 @@ void repack_scene(PackedScene& packed, const Scene& scene, SceneChange change,
     }
     packed.materials = pack_materials(scene);
     packed.environment_group = LightGroups(scene)(scene.environment.group);
+    take_next_view(packed, scene);
     packed.features = find_features(scene, packed);
 }
 

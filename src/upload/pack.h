@@ -9,6 +9,7 @@
 #include "upload/appearance.h"
 #include "upload/features.h"
 #include "upload/lights.h"
+#include "upload/motion.h"
 
 #include <limits>
 #include <optional>
@@ -24,7 +25,10 @@ struct SceneArrays {
 #undef ONDE_ARRAY
 };
 
-struct PackedScene : SceneArrays {
+/// All that may be on the device, beside the tree.
+#define PACKED_BUFFERS(BUFFER) SCENE_BUFFERS(BUFFER) MOTION_BUFFERS(BUFFER)
+
+struct PackedScene : SceneArrays, MotionArrays {
     Bvh bvh;
     double built_cost = 0; ///< SAH cost of the tree before it was fitted to anything else
     uint32_t environment_light = NO_INDEX; ///< index into the lights
@@ -32,6 +36,8 @@ struct PackedScene : SceneArrays {
     uint32_t environment_group = 0;        ///< of light_groups()
     float environment_rotation = 0.0f;     ///< radians
     float environment_floor = 0, environment_scale[MAP_TABLES] = {1, 1}; ///< of PackedEnvironment
+    std::vector<Camera> next_cameras{};    ///< at the next frame, where the scene has one
+    float next_environment_rotation = 0.0f;
     std::optional<Extent> bounds{}; ///< of the geometry, where a camera has parallel rays
     glm::vec3 ground_share{0.0f};   ///< one over the irradiance that the ground receives
     float ground_height = std::numeric_limits<float>::infinity(); ///< no ground: above all rays
@@ -48,6 +54,9 @@ struct PackedScene : SceneArrays {
 /// The scene must satisfy check_scene().
 PackedScene pack_scene(const Scene& scene, const BvhOptions& options = {},
                        const LightOptions& lights = {});
+
+/// Takes over how the scene is seen at the next frame.
+void take_next_view(PackedScene& packed, const Scene& scene);
 
 /// The box of a scene with an orthographic camera; nothing for any other.
 std::optional<Extent> bounds_for_parallel_rays(const Scene& scene);

@@ -34,6 +34,7 @@ inline FilmHeader made_header(uint32_t samples) {
                        1u << AOV_ALBEDO | 1u << AOV_DEPTH,
                        {"other", "key"},
                        NO_IDS,
+                       NO_NEXT_FRAME,
                        0.0f,
                        0.0f,
                        0.0f,

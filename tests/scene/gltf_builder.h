@@ -30,16 +30,17 @@ class Builder {
     }
 
     /// `body` are the root's other keys.
+    std::filesystem::path write(const ScratchFolder& folder, const std::string& body) const {
+        folder.write("b.bin", bytes_);
+        return folder.write("p.gltf",
+                            fmt::format("{{\"asset\": {{\"version\": \"2.0\"}}, \"buffers\": "
+                                        "[{{\"uri\": \"b.bin\", \"byteLength\": {}}}], "
+                                        "\"bufferViews\": [{}], \"accessors\": [{}], {}}}",
+                                        bytes_.size(), views_, accessors_, body));
+    }
     Scene load(const std::string& body, const LoadOptions& options = {}) const {
         ScratchFolder folder;
-        folder.write("b.bin", bytes_);
-        return load_scene(
-            folder.write("p.gltf",
-                         fmt::format("{{\"asset\": {{\"version\": \"2.0\"}}, \"buffers\": "
-                                     "[{{\"uri\": \"b.bin\", \"byteLength\": {}}}], "
-                                     "\"bufferViews\": [{}], \"accessors\": [{}], {}}}",
-                                     bytes_.size(), views_, accessors_, body)),
-            options);
+        return load_scene(write(folder, body), options);
     }
 
   private:

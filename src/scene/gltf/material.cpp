@@ -101,7 +101,7 @@ void add_materials(File& file, Scene& scene) {
     const std::vector<bool> used = shown_materials(file);
     for (size_t i = 0; i < materials.size(); ++i) {
         const std::string name = materials[i].text("name").value_or("");
-        textures.is_shown = used[i];
+        textures.is_shown = used[i] && !file.context.options().only_shapes;
         const std::string user = name.empty() ? fmt::format("material {}", i)
                                               : fmt::format("material {} '{}'", i, shown(name));
         scene.materials.push_back(convert(file, textures, old_materials, materials[i], user));

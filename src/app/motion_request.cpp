@@ -1,0 +1,59 @@
+#include "app/motion_request.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace onde::app {
+namespace {
+
+constexpr double FRAMES_A_SECOND = 24;
+
+bool has_motion(const std::vector<std::string>& aovs) {
+    return std::ranges::any_of(aovs, [](const std::string& aov) {
+        const FilmChannel* channel = find_channel(aov);
+        return channel && channel->sums == AOV_MOTION;
+    });
+}
+
+[[noreturn]] void throw_idle_rate() {
+    throw InputError(
+        "--fps is of --frames, and of --aov motion of a moment --at; give one of them");
+}
+
+} // namespace
+
+double frames_a_second(const RenderRequest& request) {
+    return request.frames_a_second.value_or(FRAMES_A_SECOND);
+}
+
+void check_frames_a_second(const RenderRequest& r) {
+    if (!r.frames_a_second) return;
+    if (!(*r.frames_a_second > 0 && std::isfinite(*r.frames_a_second)))
+        throw InputError("--fps {} is not a positive number of frames a second",
+                         *r.frames_a_second);
+    const bool may_move = r.load.options.at && (r.aovs.empty() || has_motion(r.aovs));
+    if (r.frames.empty() && !may_move) throw_idle_rate();
+}
+
+void add_next_frame(Scene& scene, const RenderRequest& request, const LoadOptions& options) {
+    if (!has_motion(requested_aovs(request, scene))) {
+        if (request.frames_a_second && request.frames.empty()) throw_idle_rate();
+        return;
+    }
+    if (request.turntable) return; // what moves is its camera
+    if (!options.at) {
+        scene.notes.push_back("The channel motion is 0: no time passes without --at or --frames.");
+        return;
+    }
+    const double rate = frames_a_second(request);
+    load_next_frame(scene, request.scene, options, *options.at + 1 / rate);
+    if (request.frames.empty())
+        scene.notes.push_back(fmt::format(
+            "The channel motion leads to the next frame, 1/{:g} s later (--fps).", rate));
+}
+
+} // namespace onde::app

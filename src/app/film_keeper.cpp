@@ -4,6 +4,8 @@
 #include "core/files.h"
 #include "core/log.h"
 
+#include <fcntl.h>
+
 namespace onde::app {
 
 void check_film(const DeviceGroup& devices, const Shot& shot) {
@@ -21,7 +23,8 @@ void check_film(const DeviceGroup& devices, const Shot& shot) {
 
 FilmKeeper::FilmKeeper(DeviceGroup& devices, const Shot& shot, std::optional<double> seconds)
     : devices_(devices), shot_(shot), path_(shot.film),
-      has_place_(!shot.resume.empty() && is_same_file(shot.resume, shot.film)), seconds_(seconds) {
+      has_place_(!shot.resume.empty() && is_same_file(shot.resume, shot.film) && hold_film()),
+      seconds_(seconds) {
     if (shot.film.empty()) return;
     const RenderOptions& options = devices.session().options();
     film_.header = devices.film_header();
@@ -42,13 +45,24 @@ void FilmKeeper::wait() {
     told_ = true;
 }
 
+bool FilmKeeper::hold_film() {
+    constexpr int ACCESS = O_RDWR | O_CLOEXEC; // NFS locks what can be written
+    held_ = Descriptor(open(path_.c_str(), ACCESS));
+    return !held_ || try_hold(held_);
+}
+
+void FilmKeeper::write() {
+    write_film(path_, film_);
+    hold_film();
+}
+
 void FilmKeeper::take_place() {
     std::error_code ignored;
     if (!has_place_ && std::filesystem::exists(path_, ignored)) {
         const std::filesystem::path wanted = path_;
         for (int number = 2; std::filesystem::exists(path_, ignored); number++)
             path_.replace_filename(fmt::format("{}.{}.exr", wanted.stem().string(), number));
-        spdlog::warn("{}: another render has made it meanwhile; this film goes to {}",
+        spdlog::warn("{}: another render makes it or goes on from it; this film goes to {}",
                      wanted.string(), path_.string());
     }
     has_place_ = true;
@@ -59,7 +73,7 @@ void FilmKeeper::write_beside() {
     film_.contents = devices_.contents();
     writing_ = std::async(std::launch::async, [this]() -> std::string {
         try {
-            write_film(path_, film_);
+            write();
             return {};
         } catch (const std::exception& error) {
             return error.what();
@@ -81,7 +95,7 @@ void FilmKeeper::keep() {
     if (shot_.film.empty() || devices_.samples() == 0) return;
     take_place();
     film_.contents = devices_.contents();
-    write_film(path_, film_);
+    write();
     spdlog::info("wrote {}", std::filesystem::absolute(path_).string());
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/sequence.h"
+#include "core/abandoned.h"
 #include "core/timer.h"
 
 #include <future>
@@ -27,8 +28,11 @@ class FilmKeeper {
     void keep();
 
   private:
-    /// Before the first write: another render's film, which was not there at the start, is left.
+    /// So that another render that goes on from the film leaves it; false where one has it.
+    bool hold_film();
+    /// Before the first write: a film that another render has made or goes on from is left.
     void take_place();
+    void write();
     void write_beside();
     /// Of the write that runs, if one does.
     void wait();
@@ -36,7 +40,8 @@ class FilmKeeper {
     DeviceGroup& devices_;
     const Shot& shot_;
     std::filesystem::path path_; ///< of the film
-    bool has_place_;             ///< what is there is this render's
+    Descriptor held_;            ///< what is there
+    bool has_place_;             ///< which is this render's
     std::optional<double> seconds_;
     KeptFilm film_{};                  ///< as it is written
     std::future<std::string> writing_; ///< what became of it; empty: it is well

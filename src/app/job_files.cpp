@@ -41,7 +41,7 @@ std::string slurm_job(const JobText& job) {
 #SBATCH --array=0-{last}
 #SBATCH --requeue
 #SBATCH --open-mode=append
-#SBATCH --output={folder}/worker-%a.log
+#SBATCH --output="{folder}/worker-%a.log"
 #SBATCH --signal=B:TERM@60
 set -u
 {command} &
@@ -109,7 +109,7 @@ steps:
       actions:
         onRun:
           command: onde
-          args: ["merge", "{{{{Param.Out}}}}/parts", "-o", "{{{{Param.Out}}}}/film.exr", "--picture", "{{{{Param.Out}}}}/picture.png"]
+          args: ["merge", "{{{{Param.Out}}}}/parts", "--complete", "-o", "{{{{Param.Out}}}}/film.exr", "--picture", "{{{{Param.Out}}}}/picture.png"]
 )JOB",
                        fmt::arg("scene", job.scene), fmt::arg("folder", job.folder),
                        fmt::arg("chunk", std::max(1u, blocks / (4 * job.workers))),

@@ -45,7 +45,7 @@ int run(int argc, char** argv) try {
     root.require_command();
     bool interrupted = false, unfit = false;
     onde::app::add_render_command(root, interrupted);
-    onde::app::add_merge_command(root);
+    onde::app::add_merge_command(root, interrupted);
     onde::app::add_work_command(root, interrupted);
     onde::app::add_farm_command(root);
     onde::app::add_film_command(root);

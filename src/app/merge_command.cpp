@@ -1,5 +1,6 @@
 #include "app/merge_command.h"
 
+#include "app/interrupt.h"
 #include "app/picture_files.h"
 
 #include "core/error.h"
@@ -25,7 +26,7 @@ struct MergeOptions {
     std::optional<float> exposure;
     std::optional<ToneMap> tone_map;
     ExrNames names = ExrNames::plain;
-    bool full_float = false;
+    bool full_float = false, complete = false;
 };
 
 /// A folder stands for the film files in it.
@@ -133,12 +134,23 @@ void tell_missing(const std::vector<FilmRange>& missing) {
                      missing.size() - MOST);
 }
 
-void run_merge(MergeOptions options) {
+/// Thrown out of a merge that is told to end.
+struct Interrupted {};
+
+/// Returns whether it was interrupted.
+bool run_merge(MergeOptions options) try {
+    const StopOnInterrupt interrupt; // or what is unfinished would stay
     const std::vector<fs::path> files = part_files(options.parts);
     check_outputs(options, files);
     FilmMerge merge(files);
+    merge.on_progress([&] {
+        if (interrupt.requested()) throw Interrupted();
+    });
     check_nothing_lost(options.output, merge);
     tell_missing(merge.missing());
+    if (options.complete && !merge.missing().empty())
+        throw InputError("the parts are not the whole picture; render what is missing, or leave "
+                         "--complete away");
     Outputs outputs;
     if (!options.output.empty())
         outputs.attempt([&] {
@@ -151,11 +163,15 @@ void run_merge(MergeOptions options) {
             tell_written(options.picture);
         });
     outputs.check();
+    return false;
+} catch (const Interrupted&) {
+    spdlog::warn("interrupted before all was written");
+    return true;
 }
 
 } // namespace
 
-void add_merge_command(Command& root) {
+void add_merge_command(Command& root, bool& interrupted) {
     Command command = root.add_command(
         "merge", "Join film files of one picture, in any order, to the bytes of one render");
     const auto options = std::make_shared<MergeOptions>(); // what runs later is copied
@@ -166,13 +182,15 @@ void add_merge_command(Command& root) {
                    {.value = "FILE"});
     command.option("--picture", &options->picture,
                    "Also write the picture of what there is, .png or .exr", {.value = "FILE"});
+    command.flag("--complete", options->complete,
+                 "Write nothing, and exit with 2, where the picture lacks samples");
     command.option("--exposure", &options->exposure, "Brighten the .png by that many stops",
                    {.value = "STOPS", .least = -64, .most = 64});
     command.choice("--tone-map", options->tone_map,
                    "How bright light is shown in the .png (as the render has it)");
     command.choice("--exr-names", options->names, "Names of the channels of an .exr picture");
     command.flag("--float", options->full_float, "Write a 32-bit .exr picture instead of 16-bit");
-    command.on_run([options] { run_merge(*options); });
+    command.on_run([options, &interrupted] { interrupted = run_merge(*options); });
 }
 
 } // namespace onde::app

@@ -5,6 +5,7 @@
 
 namespace onde::app {
 
-void add_merge_command(Command& root);
+/// Sets `interrupted` where a merge was told to end.
+void add_merge_command(Command& root, bool& interrupted);
 
 } // namespace onde::app

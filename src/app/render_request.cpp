@@ -55,6 +55,19 @@ bool is_of_paths(const std::string& aov) {
            (channel && channel->sums < AOV_COUNT);
 }
 
+/// Says of options for .exr pictures that there is none.
+void tell_idle_names(const RenderRequest& request) {
+    if (request.exr_names == ExrNames::plain && !request.full_float) return;
+    if (std::ranges::none_of(request.outputs, is_exr))
+        spdlog::warn("{} does nothing, as it is of .exr pictures and none is written",
+                     request.full_float ? "--float" : "--exr-names");
+}
+
+/// Whether something is asked of a denoiser beside that there is one.
+bool describes_denoiser(const RenderRequest& request) {
+    return !request.denoiser.oidn.empty() || request.denoiser.quality != DenoiserOptions().quality;
+}
+
 /// What the denoiser is to be, if there is one. One that only the scene asks for is for path
 /// tracing alone.
 DenoiserOptions requested_denoiser(const RenderRequest& request, const RenderSettings& scene) {
@@ -102,6 +115,7 @@ void check_request(const RenderRequest& r) {
     if (r.choices.seconds && !(*r.choices.seconds > 0 && std::isfinite(*r.choices.seconds)))
         throw InputError("--time {} is not a positive number of seconds", *r.choices.seconds);
     check_named_once(r.aovs, "--aov");
+    tell_idle_names(r);
     if (r.exposure && !(std::abs(*r.exposure) <= MOST_STOPS))
         throw InputError("--exposure {} is out of range; use {} to {} stops", *r.exposure,
                          -MOST_STOPS, MOST_STOPS);
@@ -141,6 +155,8 @@ Machines open_machines(const RenderRequest& request, gpu::Profiling profiling) {
         machines.push_back(std::make_unique<Machine>(std::move(device), sources,
                                                      requested_cache(request.machine)));
     if (!request.mixed_devices) check_one_class(machines);
+    if (request.mixed_devices && machines.size() == 1)
+        spdlog::warn("--mixed-devices does nothing, as there is one device");
     if (machines.size() > 1 && request.choices.seconds)
         throw InputError("--time is for one device; name one, or say how many samples by --spp");
     return machines;
@@ -165,6 +181,9 @@ Session open_session(Machine& machine, Scene scene, const RenderRequest& request
     }
     const DenoiserOptions denoiser = requested_denoiser(request, scene.settings);
     if (denoiser.denoiser != Denoiser::off) choices.aovs |= denoiser_aovs();
+    if (denoiser.denoiser == Denoiser::off && describes_denoiser(request))
+        scene.notes.push_back("--denoiser-library and --denoise-quality do nothing without "
+                              "--denoise.");
     const ResolvedOptions resolved = resolve_options(choices, scene, machine.device.facts());
     scene.notes.insert(scene.notes.end(), resolved.notes.begin(), resolved.notes.end());
     SessionOptions options{

@@ -99,10 +99,7 @@ Scene load_scene_with_motion(const RenderRequest& request) {
     return scene;
 }
 
-bool run_work(const WorkRequest& request) {
-    set_up_logging(request.render.quiet);
-    check_work_request(request);
-    const Store store(request.store, request.lease);
+bool work_in(const Store& store, const WorkRequest& request) {
     Machine machine = open_machine(request.render.machine);
     RenderRequest own = request.render;
     own.choices.noise = 0; // the scene's is left out, and its denoiser
@@ -124,6 +121,18 @@ bool run_work(const WorkRequest& request) {
     outputs.check();
     spdlog::info("the film is complete: {}", std::filesystem::absolute(store.film()).string());
     return false;
+}
+
+bool run_work(const WorkRequest& request) {
+    set_up_logging(request.render.quiet);
+    check_work_request(request);
+    const Store store(request.store, request.lease);
+    try {
+        return work_in(store, request);
+    } catch (...) {
+        store.remove_if_unused();
+        throw;
+    }
 }
 
 } // namespace

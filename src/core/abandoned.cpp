@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <string>
 #include <utility>
 
@@ -29,6 +30,10 @@ bool hold(const Descriptor& open) {
     flock(open.get(), LOCK_EX); // file systems without locks have nothing removed from them
     struct stat status {};
     return fstat(open.get(), &status) == 0 && status.st_nlink > 0;
+}
+
+bool try_hold(const Descriptor& open) {
+    return flock(open.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
 static void remove_if_abandoned(const fs::path& path) {

@@ -28,6 +28,10 @@ class Descriptor {
 /// removed meanwhile, by another process that took it for abandoned.
 bool hold(const Descriptor& open);
 
+/// The same of what another process may have marked: then false, at once. File systems without
+/// locks know of no other.
+bool try_hold(const Descriptor& open);
+
 /// Removes the files and folders in `folder` that are this user's, have a name that starts with
 /// `prefix` and that nobody holds. Never throws.
 void remove_abandoned(const std::filesystem::path& folder, std::string_view prefix) noexcept;

@@ -34,6 +34,7 @@ std::optional<StoreKey> key_of(const std::string& name) {
 Store::Store(const fs::path& folder, double lease_seconds)
     : folder_(folder), lease_seconds_(lease_seconds) {
     std::error_code error;
+    is_made_ = !fs::exists(folder, error);
     for (const char* name : {"leases", "notes"}) fs::create_directories(folder / name, error);
     if (error)
         throw InputError("{}: cannot be a store ({}); choose another folder", folder.string(),
@@ -92,6 +93,13 @@ void Store::remove_all() const {
         fs::remove(folder_ / name, ignored); // if it is empty, as below
     }
     fs::remove(folder_, ignored);
+}
+
+void Store::remove_if_unused() const {
+    std::error_code ignored;
+    if (!is_made_) return;
+    for (const fs::path& path : {folder_ / "leases", folder_ / "notes", folder_})
+        fs::remove(path, ignored); // stays where anything is in it
 }
 
 fs::path Store::lease(const std::string& name) const {

@@ -38,6 +38,8 @@ class Store {
     std::filesystem::path path(const StoreKey& key) const;
     std::filesystem::path film() const { return folder_ / "film.exr"; }
     void remove(const StoreKey& key) const;
+    /// Undoes the making of a folder to which nothing has been put.
+    void remove_if_unused() const;
     /// The store itself, with all that it has; what else lies in the folder stays, and it too then.
     void remove_all() const;
 
@@ -62,6 +64,7 @@ class Store {
 
     std::filesystem::path folder_;
     double lease_seconds_;
+    bool is_made_; ///< the folder was not there before
 };
 
 } // namespace onde

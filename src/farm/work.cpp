@@ -51,6 +51,21 @@ std::string worker_name() {
     return fmt::format("{} ({})", host, getpid());
 }
 
+/// Throws InputError for a film of a store that can't be read, with what to do about it.
+void check_film(const fs::path& path) try {
+    FilmReader film(path);
+    for (size_t part = 0; part < film.parts().size(); part++) film.check_part(part);
+} catch (const InputError& problem) {
+    throw InputError("{}: delete this file, and a worker does", problem.what());
+}
+
+FilmMerge merge_of(const std::vector<fs::path>& files) try {
+    return FilmMerge(files);
+} catch (const InputError&) {
+    for (const fs::path& file : files) check_film(file);
+    throw;
+}
+
 } // namespace
 
 uint32_t WorkPlan::units() const {
@@ -205,7 +220,7 @@ std::optional<Worker::Step> Worker::join_pair(const std::vector<StoreKey>& keys)
         const Lease lease(store_, "join-" + name_of(key.parent()));
         if (!lease) continue;
         try {
-            FilmMerge merge({store_.path(key), store_.path(key.sibling())});
+            FilmMerge merge = merge_of({store_.path(key), store_.path(key.sibling())});
             check_same(merge.header(), plan_.header, store_.path(key).string());
             merge.write(store_.path(key.parent()));
         } catch (const InputError&) {
@@ -286,7 +301,7 @@ Worker::Step Worker::finish(const std::vector<StoreKey>& keys) {
     if (!lease) return Step::waiting;
     std::vector<fs::path> files;
     for (const StoreKey& key : keys) files.push_back(store_.path(key));
-    FilmMerge merge(files);
+    FilmMerge merge = merge_of(files);
     check_same(merge.header(), plan_.header, files.front().string());
     if (!merge.missing().empty()) return Step::worked; // another worker is joining them
     merge.write(store_.film());

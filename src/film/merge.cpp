@@ -156,6 +156,7 @@ void FilmMerge::paint(const Source& source, const Rectangle& band, FilmSums& sum
 }
 
 FilmSums FilmMerge::sum(FilmNode node, const Sources& sources, const Rectangle& band) {
+    if (on_progress_) on_progress_();
     Sources own, below[2];
     const FilmNode halves[] = {{node.level - 1, 2 * node.index},
                                {node.level - 1, 2 * node.index + 1}};

@@ -6,6 +6,7 @@
 #include "image/image.h"
 
 #include <filesystem>
+#include <functional>
 #include <list>
 #include <vector>
 
@@ -24,6 +25,9 @@ class FilmMerge {
     std::vector<FilmRange> missing() const;
     /// Per pixel, on average.
     double samples();
+
+    /// Calls it now and then in what follows; what it throws ends that, with nothing written.
+    void on_progress(std::function<void()> call) { on_progress_ = std::move(call); }
 
     /// Writes the film of all. Throws InputError where one of them was interrupted within a pass.
     void write(const std::filesystem::path& path);
@@ -53,6 +57,7 @@ class FilmMerge {
     void paint(const Source& source, const Rectangle& band, FilmSums& sums);
     uint32_t band_rows(uint32_t width) const;
 
+    std::function<void()> on_progress_;
     std::vector<std::filesystem::path> files_;
     FilmHeader header_;
     size_t first_name_ = 0; ///< file of the header

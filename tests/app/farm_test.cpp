@@ -36,6 +36,8 @@ TEST_CASE("the script for Slurm is a worker, of which any number make one film")
     CHECK_THAT(content(folder / "job/job.sh"), Catch::Contains("#SBATCH --array=0-3\n") &&
                                                    Catch::Contains("#SBATCH --requeue\n") &&
                                                    Catch::Contains("#SBATCH --open-mode=append\n"));
+    CHECK_THAT(content(folder / "job/job.sh"), // also of a name with a space
+               Catch::Contains("#SBATCH --output=\"" + (folder / "job").string()));
     CHECK(run_twice_at_once(folder, "job/job.sh") == 0);
     run(folder, {"render", CORNELL, "--spp", "200", "--size", "24x16", "--film", "whole.exr"});
     CHECK(content(folder / "job/store/film.exr") == content(folder / "whole.exr"));
@@ -47,7 +49,8 @@ TEST_CASE("the files for other schedulers name what is to be run") {
     CHECK_THAT(content(folder / "job/template.yaml"),
                Catch::Contains("type: CHUNK[INT]\n          range: \"0-3\"\n") &&
                    Catch::Contains("[ $end -le 200 ] || end=200\n") &&
-                   Catch::Contains("onde render '{{Param.Scene}}' --spp 200 --size 24x16 "));
+                   Catch::Contains("onde render '{{Param.Scene}}' --spp 200 --size 24x16 ") &&
+                   Catch::Contains("parts\", \"--complete\", \"-o\""));
     run(folder, job("kubernetes"));
     CHECK_THAT(content(folder / "job/job.yaml"),
                Catch::Contains("completionMode: Indexed\n") && Catch::Contains("values: [2]\n") &&

@@ -65,6 +65,50 @@ TEST_CASE("parts of a picture join to the film and the picture of one render") {
     CHECK(*std::ranges::max_element(albedo.pixels) > 0.5f);
     run(folder, {"merge", "d.exr", "parts", "-o", "all_at_once.png"});
     CHECK(same_bytes(folder, "all_at_once.png", "whole.png"));
+    check_refused(folder, {"merge", "parts", "-o", "none.exr", "--complete"},
+                  "not the whole picture");
+    CHECK_FALSE(fs::exists(folder / "none.exr"));
+    run(folder, {"merge", "d.exr", "parts", "-o", "complete.exr", "--complete"});
+    CHECK(same_bytes(folder, "complete.exr", "whole.exr"));
+}
+
+TEST_CASE("a merge that is told to end leaves nothing, and what was there as it was") {
+    const Folder folder;
+    run(folder, render(CORNELL, {"--size", "1200x900", "--spp", "1", "--film", "a.exr", "--aov",
+                                 "albedo,normal,position,direct,indirect"}));
+    folder.write("out.exr", "not a film");
+    for (const int signal : {SIGINT, SIGTERM}) {
+        Process process(folder, {"merge", "a.exr", "-o", "out.exr"});
+        REQUIRE(process.wait_until_interrupt_is_caught(true));
+        process.send(signal);
+        const Outcome outcome = process.wait();
+        INFO(outcome.err);
+        CHECK(outcome.code == 128 + signal);
+        CHECK_THAT(outcome.err, Catch::Contains("interrupted before all was written"));
+        CHECK(content(folder / "out.exr") == "not a film");
+        CHECK(folder.files().size() == 2);
+    }
+}
+
+TEST_CASE("of two renders that go on from one film the second leaves it to the first") {
+    const Folder folder;
+    run(folder, part({"--film", "a.exr"}));
+    const std::string begun = content(folder / "a.exr");
+    Process first(folder, render(CORNELL, {"--spp", "1000000", "--aov", "sample-count,albedo",
+                                           "--resume", "a.exr", "--checkpoint", "0.05"}));
+    while (content(folder / "a.exr") == begun) std::this_thread::yield();
+    const Outcome second = onde::test::onde(
+        folder,
+        render(CORNELL, {"--spp", "200", "--aov", "sample-count,albedo", "--resume", "a.exr"}));
+    INFO(second.err);
+    CHECK(second.code == 0);
+    CHECK_THAT(second.err, Catch::Contains("this film goes to a.2.exr"));
+    CHECK(fs::exists(folder / "a.2.exr"));
+    first.send(SIGTERM);
+    CHECK(first.wait().code == 143);
+    CHECK(folder.files().size() == 2);
+    run(folder, part({"--resume", "a.2.exr"})); // nobody has it now
+    CHECK(folder.files().size() == 2);
 }
 
 TEST_CASE("onde film says what a film holds and what it lacks") {

@@ -204,3 +204,21 @@ TEST_CASE("no pixel of an EXR is infinite, however bright the light") {
                       [](float value) { return std::isfinite(value); }));
     CHECK(*std::max_element(image.pixels.begin(), image.pixels.end()) > 1e38f);
 }
+
+TEST_CASE("options that do nothing without others say so") {
+    const Folder folder;
+    const auto warns = [&](const Arguments& options, const std::string& words) {
+        const Outcome outcome = onde::test::onde(folder, render(CORNELL, options));
+        INFO(outcome.err);
+        CHECK(outcome.code == 0);
+        return outcome.err.find(words) != std::string::npos;
+    };
+    const std::string names = "--exr-names does nothing", floats = "--float does nothing",
+                      quality = "do nothing without --denoise", mixed = "--mixed-devices does";
+    CHECK(warns({"-o", "a.png", "--exr-names", "blender"}, names));
+    CHECK(warns({"-o", "a.png", "--float"}, floats));
+    CHECK(warns({"-o", "a.png", "--denoise-quality", "fast"}, quality));
+    CHECK(warns({"-o", "a.png", "--mixed-devices"}, mixed));
+    CHECK_FALSE(warns({"-o", "a.exr", "-o", "a.png", "--exr-names", "blender", "--float"}, "does"));
+    CHECK_FALSE(warns({"-o", "a.png", "--denoise", "onde", "--denoise-quality", "fast"}, quality));
+}

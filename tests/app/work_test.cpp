@@ -182,4 +182,28 @@ TEST_CASE("what workers can't do together is said in one sentence") {
     check(picture({"work", "new"}, {"--turntable", "2"}), "a store is of one picture");
     check(picture({"work", "new"}, {"--integrator", "light"}), "light has none");
     check({"farm", "status", "nothing"}, "no worker has begun here");
+    CHECK_FALSE(fs::exists(folder / "new")); // what was refused leaves no folder
+    fs::create_directory(folder / "own");
+    check(picture({"work", "own"}, {"--unit", "192"}), "use 64, 128, 256");
+    CHECK(fs::exists(folder / "own"));
+}
+
+TEST_CASE("of a unit that is damaged workers say which file to delete, and then go on") {
+    const Folder folder;
+    const std::string unit = "store/t0000-l00-i000004.exr"; // the last one
+    fs::create_directory(folder / "store");
+    check_ends_well(
+        onde::test::onde(folder, picture({"render"}, {"--samples", "256:300", "--film", unit})));
+    std::string bytes = content(folder / unit);
+    bytes[bytes.size() / 2] = char(bytes[bytes.size() / 2] ^ 1);
+    folder.write(unit, bytes);
+    const Outcome damaged = onde::test::onde(folder, picture({"work", "store"}));
+    INFO(damaged.err);
+    CHECK(damaged.code == 2);
+    CHECK_THAT(damaged.err, Catch::Contains(unit + ": is a damaged film") &&
+                                Catch::Contains("delete this file, and a worker does"));
+    fs::remove(folder / unit);
+    check_ends_well(onde::test::onde(folder, picture({"work", "store"})));
+    check_ends_well(onde::test::onde(folder, picture({"render"}, {"--film", "whole.exr"})));
+    CHECK(content(folder / "store/film.exr") == content(folder / "whole.exr"));
 }

@@ -3,6 +3,7 @@
 #ifndef ONDE_PROBE_LAYOUT_H
 #define ONDE_PROBE_LAYOUT_H
 
+#include "shared/albedo.h"
 #include "shared/aovs.h"
 #include "shared/bvh.h"
 #include "shared/columns.h"
@@ -120,10 +121,12 @@
     OFFSET(FrameRecord, filter_table)                                                              \
     SIZE(MaterialRecord)                                                                           \
     OFFSET(MaterialRecord, kind)                                                                   \
+    OFFSET(MaterialRecord, lobes)                                                                  \
     OFFSET(MaterialRecord, two_sided)                                                              \
     OFFSET(MaterialRecord, alpha_mode)                                                             \
     OFFSET(MaterialRecord, double_sided)                                                           \
     OFFSET(MaterialRecord, group)                                                                  \
+    OFFSET(MaterialRecord, albedos)                                                                \
     OFFSET(MaterialRecord, base_color)                                                             \
     OFFSET(MaterialRecord, emission)                                                               \
     OFFSET(MaterialRecord, roughness)                                                              \

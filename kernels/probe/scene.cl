@@ -81,7 +81,7 @@ SCENE_PROBE(material) {
     s.uv = same_in_all_sets(make2((real)(0.0f), (real)(0.0f)));
     s.tint = splat3((real)(1.0f));
     const Bsdf b = material_bsdf(view, s, input(items, 2));
-#define OUTPUT_LOBE(NAME, name, Type, transmits, kinds)                                            \
+#define OUTPUT_LOBE(NAME, name, Type, transmits)                                            \
     output(items, LOBE_##NAME, b.probability.name);                                                \
     output_mask(items, LOBE_COUNT + LOBE_##NAME, b.has.name);
     LOBES(OUTPUT_LOBE)

@@ -7,26 +7,23 @@
 #include "shade/lobes/diffuse.h"
 #include "shade/lobes/glossy.h"
 
-#define LOBE_KINDS(NAME, name, Type, transmits, kinds) KINDS_WITH_##NAME = (kinds),
-enum { LOBES(LOBE_KINDS) };
-
 // Whether some material of the scene has a lobe, and whether all have it.
-#define HAS_LOBE(NAME) (ONDE_KINDS & KINDS_WITH_##NAME)
-#define ALL_HAVE_LOBE(NAME) (!(ONDE_KINDS & ~KINDS_WITH_##NAME))
+#define HAS_LOBE(NAME) (ONDE_LOBES >> LOBE_##NAME & 1u)
+#define ALL_HAVE_LOBE(NAME) (ONDE_COMMON_LOBES >> LOBE_##NAME & 1u)
 
 // The probability of a lobe that a material has is no smaller.
 #define LEAST_LOBE_PROBABILITY 0.02f
 
-#define LOBE_MASK(NAME, name, Type, transmits, kinds) mask name;
+#define LOBE_MASK(NAME, name, Type, transmits) mask name;
 typedef struct {
     LOBES(LOBE_MASK)
 } LobeMasks;
-#define LOBE_NUMBER(NAME, name, Type, transmits, kinds) real name;
+#define LOBE_NUMBER(NAME, name, Type, transmits) real name;
 typedef struct {
     LOBES(LOBE_NUMBER)
 } LobeNumbers;
 
-#define LOBE_MEMBER(NAME, name, Type, transmits, kinds) Type name;
+#define LOBE_MEMBER(NAME, name, Type, transmits) Type name;
 typedef struct {
     LOBES(LOBE_MEMBER)
     LobeMasks has;
@@ -55,7 +52,7 @@ typedef struct {
 INLINE LobeSum lobes_from(uint first, LobeMasks there, LobeNumbers weight) {
     LobeSum sum;
     sum.weight = sum.count = (real)(0.0f);
-#define ADD_LOBE(NAME, name, Type, transmits, kinds)                                               \
+#define ADD_LOBE(NAME, name, Type, transmits)                                               \
     if (HAS_LOBE(NAME) && LOBE_##NAME >= first) {                                                  \
         sum.weight += choose(there.name, weight.name, (real)(0.0f));                               \
         sum.count += choose(there.name, (real)(1.0f), (real)(0.0f));                               \
@@ -81,23 +78,26 @@ INLINE real only_lobe_reach(uint first, LobeSum all, LobeMasks there, LobeNumber
     return choose(all.count - from.count > 0.0f, (real)(0.0f), (real)(1.0f));
 }
 
-// cosine: of the view direction and the shading normal, > 0.
-INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m, real cosine) {
+INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m) {
     Bsdf b;
+#if ONDE_ALBEDOS
+    m.row = albedo_row((natural)(0u), m.alpha);
+    m.albedo = reflection_albedo(view.albedos, m.row, m.cosine);
+#endif
+    const natural lobes = RECORD_NATURAL(view.materials, m.material, MaterialRecord, lobes);
     LobeMasks there;
     LobeNumbers weight;
-#define LOAD_LOBE(NAME, name, Type, transmits, kinds)                                              \
+#define LOAD_LOBE(NAME, name, Type, transmits)                                              \
     if (HAS_LOBE(NAME)) {                                                                          \
         b.name = name##_load(view, m);                                                             \
-        b.has.name = ALL_HAVE_LOBE(NAME) ? m.kind == m.kind                                        \
-                                         : ((natural)(KINDS_WITH_##NAME) >> m.kind & 1u) != 0u;    \
-        weight.name = name##_weight(b.name, cosine);                                               \
+        b.has.name = ALL_HAVE_LOBE(NAME) ? m.kind == m.kind : (lobes >> LOBE_##NAME & 1u) != 0u;   \
+        weight.name = name##_weight(b.name, m);                                                    \
         there.name = b.has.name & (weight.name > 0.0f);                                            \
     }
     LOBES(LOAD_LOBE)
 #undef LOAD_LOBE
     const LobeSum all = lobes_from(0, there, weight);
-#define CHOOSE_LOBE(NAME, name, Type, transmits, kinds)                                            \
+#define CHOOSE_LOBE(NAME, name, Type, transmits)                                            \
     if (HAS_LOBE(NAME)) {                                                                          \
         b.reach.name = REACH(LOBE_##NAME, all, there, weight);                                     \
         b.probability.name = b.reach.name - REACH(LOBE_##NAME + 1, all, there, weight);            \
@@ -120,7 +120,7 @@ INLINE BsdfValue bsdf_eval(Bsdf b, real3 wo, real3 wi) {
     BsdfValue v;
     v.value = zero3();
     v.pdf = (real)(0.0f);
-#define EVAL_LOBE(NAME, name, Type, transmits, kinds)                                              \
+#define EVAL_LOBE(NAME, name, Type, transmits)                                              \
     if (HAS_LOBE(NAME)) {                                                                          \
         if_any (b.has.name) {                                                                      \
             const LobeValue lobe = name##_eval(b.name, wo, wi, b.has.name);                        \
@@ -145,7 +145,7 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     lobe.wi = lobe.weight = zero3();
     lobe.delta = lobe.valid = choice < 0.0f;
     real probability = (real)(1.0f);
-#define SAMPLE_LOBE(NAME, name, Type, transmits, kinds)                                            \
+#define SAMPLE_LOBE(NAME, name, Type, transmits)                                            \
     if (HAS_LOBE(NAME)) {                                                                          \
         const mask chosen = (choice < b.reach.name) & (b.probability.name > 0.0f);                 \
         if_any (chosen) {                                                                          \
@@ -172,7 +172,7 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
 // Whether light may pass the surface.
 INLINE mask bsdf_transmits(Bsdf b) {
     mask passes = (mask)(0);
-#define ADD_LOBE(NAME, name, Type, transmits, kinds)                                               \
+#define ADD_LOBE(NAME, name, Type, transmits)                                               \
     if (HAS_LOBE(NAME) && transmits) passes = passes | b.has.name;
     LOBES(ADD_LOBE)
 #undef ADD_LOBE
@@ -182,7 +182,7 @@ INLINE mask bsdf_transmits(Bsdf b) {
 // Whether it has nothing but smooth lobes, so that what is seen in it is sharp.
 INLINE mask bsdf_is_mirror(Bsdf b) {
     mask smooth = (mask)(0), rough = (mask)(0);
-#define SORT_LOBE(NAME, name, Type, transmits, kinds)                                              \
+#define SORT_LOBE(NAME, name, Type, transmits)                                              \
     if (HAS_LOBE(NAME)) {                                                                          \
         const mask there = b.has.name & (b.probability.name > 0.0f);                               \
         smooth = smooth | (there & name##_is_smooth(b.name));                                      \
@@ -196,8 +196,7 @@ INLINE mask bsdf_is_mirror(Bsdf b) {
 // The diffuse share of bsdf_eval's `value`.
 INLINE real3 bsdf_diffuse_share(Bsdf b, real3 wo, real3 wi, real3 value) {
     if (!HAS_LOBE(DIFFUSE)) return zero3();
-    const LobeValue lobe = diffuse_eval(b.diffuse, wo, wi, b.has.diffuse);
-    const real3 own = mul3(lobe.tint, lobe.value);
+    const real3 own = diffuse_body(b.diffuse, wi, b.has.diffuse);
     return make3(share_of(own.x, value.x), share_of(own.y, value.y), share_of(own.z, value.z));
 }
 

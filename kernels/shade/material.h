@@ -54,6 +54,7 @@ INLINE Bsdf material_bsdf(SceneView view, Surface s, real cosine) {
     real roughness = RECORD(view.materials, s.material, MaterialRecord, roughness);
     m.metallic = RECORD(view.materials, s.material, MaterialRecord, metallic);
     m.front = s.front;
+    m.cosine = cosine;
 #if ONDE_TEXTURES
     const natural rough_metal = material_texture(view, s.material, TEXTURE_METALLIC_ROUGHNESS);
     const real3 packed = texture_data(view, rough_metal, s.uv);
@@ -61,7 +62,7 @@ INLINE Bsdf material_bsdf(SceneView view, Surface s, real cosine) {
     m.metallic *= packed.z;
 #endif
     m.alpha = roughness * roughness;
-    return bsdf_load(view, m, cosine);
+    return bsdf_load(view, m);
 }
 
 #endif

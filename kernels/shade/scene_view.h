@@ -49,7 +49,20 @@
 #ifndef ONDE_ENVIRONMENT
     #define ONDE_ENVIRONMENT 1
 #endif
-// Bits MATERIAL_... and LIGHT_...
+// Whether some material has microfacets, and whether some scatters below or between them.
+#ifndef ONDE_ROUGH
+    #define ONDE_ROUGH 1
+#endif
+#ifndef ONDE_ALBEDOS
+    #define ONDE_ALBEDOS 1
+#endif
+// Bits LOBE_..., of what some material has and of what all have; MATERIAL_... and LIGHT_...
+#ifndef ONDE_LOBES
+    #define ONDE_LOBES 0xffffffffu
+#endif
+#ifndef ONDE_COMMON_LOBES
+    #define ONDE_COMMON_LOBES 0u
+#endif
 #ifndef ONDE_KINDS
     #define ONDE_KINDS 0xffffffffu
 #endif

@@ -14,16 +14,15 @@
 #define MATERIAL_UNLIT 4u // shows its base colour, whatever the light; has no lobe
 #define MATERIAL_KIND_COUNT 5u
 
-// The lobes that a BSDF is the sum of, each once: LOBE(NAME, name, Type, transmits, kinds). `name`
-// has a file kernels/shade/lobes/name.h with its Type; `transmits` says whether light may pass the
-// surface, `kinds` which kinds of material have it. What no material of a scene has is not
-// compiled.
-#define OF_KIND(NAME) (1u << MATERIAL_##NAME)
+// The lobes that a BSDF is the sum of, each once: LOBE(NAME, name, Type, transmits). `name` has a
+// file kernels/shade/lobes/name.h with its Type; `transmits` says whether light may pass the
+// surface. Which ones a material has is told by lobes_of() in src/upload/appearance.h; what no
+// material of a scene has is not compiled.
 #define LOBES(LOBE)                                                                                \
-    LOBE(DIFFUSE, diffuse, DiffuseLobe, 0, OF_KIND(DIFFUSE) | OF_KIND(METALLIC_ROUGHNESS))         \
-    LOBE(GLOSSY, glossy, GlossyLobe, 0, OF_KIND(CONDUCTOR) | OF_KIND(METALLIC_ROUGHNESS))          \
-    LOBE(DIELECTRIC, dielectric, DielectricLobe, 1, OF_KIND(DIELECTRIC))
-#define LOBE_INDEX(NAME, name, Type, transmits, kinds) LOBE_##NAME,
+    LOBE(DIFFUSE, diffuse, DiffuseLobe, 0)                                                         \
+    LOBE(GLOSSY, glossy, GlossyLobe, 0)                                                            \
+    LOBE(DIELECTRIC, dielectric, DielectricLobe, 1)
+#define LOBE_INDEX(NAME, name, Type, transmits) LOBE_##NAME,
 enum { LOBES(LOBE_INDEX) LOBE_COUNT };
 
 // Below this alpha (roughness^2) a surface is treated as perfectly smooth.
@@ -54,10 +53,12 @@ enum { TEXTURE_SLOTS(TEXTURE_INDEX) TEXTURE_COUNT };
 #define NUMBER_MEMBER(name) float name;
 typedef struct {
     uint kind;
+    uint lobes; // bits by LOBE_...
     uint two_sided;
     uint alpha_mode;   // ALPHA_...
     uint double_sided; // else camera rays pass its back
     uint group;        // of lights, that its emission belongs to
+    uint albedos;      // of rough glass: the first word of its table of directional albedos
     MATERIAL_COLORS(COLOR_MEMBER)
     MATERIAL_NUMBERS(NUMBER_MEMBER)
     uint texture[TEXTURE_COUNT]; // by slot: index of a TextureRecord, or NO_INDEX
@@ -210,6 +211,7 @@ typedef struct {
 // after the first, two floats each, set by set; colors linear RGBA of 16 bits each; tangents
 // octahedral, with the lowest bit replaced by the sign of the bitangent.
 // bulges: by surface, of scenes with curved triangles; see src/upload/bulge.h.
+// albedos: tables of shared/albedo.h; the first is that of reflection.
 // srgb: 256 entries, from 8-bit sRGB to linear. environment: 3 floats per pixel.
 #define SCENE_BUFFERS(BUFFER)                                                                      \
     BUFFER(SurfaceRecord, surfaces, "surfaces")                                                    \
@@ -219,6 +221,7 @@ typedef struct {
     BUFFER(uint, colors, "vertex colours")                                                         \
     BUFFER(uint, tangents, "tangents")                                                             \
     BUFFER(MaterialRecord, materials, "materials")                                                 \
+    BUFFER(uint, albedos, "directional albedos")                                                   \
     BUFFER(LightRecord, lights, "lights")                                                          \
     BUFFER(TextureRecord, textures, "texture records")                                             \
     BUFFER(uint, texels, "texels")                                                                 \

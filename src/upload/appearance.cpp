@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "scene/light_groups.h"
 #include "scene/phong.h"
+#include "upload/albedo_tables.h"
 #include "upload/alias_table.h"
 #include "upload/words.h"
 
@@ -72,20 +73,62 @@ class AlphaModes {
 
 } // namespace
 
-std::vector<MaterialRecord> pack_materials(const Scene& scene) {
+static constexpr uint32_t bit(uint32_t index) {
+    return 1u << index;
+}
+
+static constexpr uint32_t MIRRORING_LOBES = bit(LOBE_GLOSSY) | bit(LOBE_DIELECTRIC);
+static constexpr uint32_t LAYERED_LOBES = bit(LOBE_GLOSSY) | bit(LOBE_DIFFUSE);
+
+/// Textures only lower the roughness.
+static bool may_be_rough(const Material& m) {
+    return m.roughness * m.roughness >= SMOOTH_ALPHA;
+}
+
+uint32_t lobes_of(const Material& m) {
+    switch (m.kind) {
+    case MaterialKind::diffuse:
+        return bit(LOBE_DIFFUSE);
+    case MaterialKind::conductor: // what meets several microfacets leaves evenly
+        return bit(LOBE_GLOSSY) | (may_be_rough(m) ? bit(LOBE_DIFFUSE) : 0);
+    case MaterialKind::dielectric:
+        return bit(LOBE_DIELECTRIC);
+    case MaterialKind::metallic_roughness:
+        return bit(LOBE_DIFFUSE) | bit(LOBE_GLOSSY);
+    case MaterialKind::unlit:
+    case MaterialKind::phong: // path_material() has made something else of it
+        break;
+    }
+    return 0;
+}
+
+bool has_layers(const Material& m) {
+    return (lobes_of(m) & LAYERED_LOBES) == LAYERED_LOBES;
+}
+
+bool is_rough(const Material& m) {
+    return (lobes_of(m) & MIRRORING_LOBES) && may_be_rough(m);
+}
+
+PackedMaterials pack_materials(const Scene& scene) {
     static_assert(uint32_t(MaterialKind::unlit) == MATERIAL_UNLIT);
     static_assert(uint32_t(AlphaMode::mask) == ALPHA_MASK);
     static_assert(uint32_t(AlphaMode::blend) == ALPHA_BLEND);
     static_assert(uint32_t(MaterialKind::metallic_roughness) == MATERIAL_METALLIC_ROUGHNESS);
     static_assert(uint32_t(MaterialKind::dielectric) == MATERIAL_DIELECTRIC);
     static_assert(uint32_t(MaterialKind::conductor) == MATERIAL_CONDUCTOR);
-    std::vector<MaterialRecord> records;
+    PackedMaterials packed;
+    AlbedoTables albedos;
     AlphaModes alpha_modes(scene);
     const LightGroups groups(scene);
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         const Material m = path_material(scene, i);
         MaterialRecord record{};
         record.kind = uint32_t(m.kind);
+        record.lobes = lobes_of(m);
+        if (is_rough(m) || has_layers(m)) albedos.reflection();
+        if (is_rough(m) && record.lobes & bit(LOBE_DIELECTRIC))
+            record.albedos = albedos.glass(m.ior);
         record.two_sided = m.two_sided;
         record.alpha_mode = alpha_modes.of(i);
         record.group = groups(m.group);
@@ -99,9 +142,10 @@ std::vector<MaterialRecord> pack_materials(const Scene& scene) {
 #define ONDE_TEXTURE(NAME, name) record.texture[TEXTURE_##NAME] = texture_index(m.name##_texture);
         TEXTURE_SLOTS(ONDE_TEXTURE)
 #undef ONDE_TEXTURE
-        records.push_back(record);
+        packed.records.push_back(record);
     }
-    return records;
+    packed.albedos = std::move(albedos).words();
+    return packed;
 }
 
 std::vector<uint32_t> used_uv_sets(const Scene& scene) {

@@ -9,7 +9,20 @@
 
 namespace onde {
 
-std::vector<MaterialRecord> pack_materials(const Scene& scene);
+/// The lobes of kernels/shared/scene.h that a material has, as bits.
+uint32_t lobes_of(const Material& material);
+
+/// Whether it has microfacets: it reflects or refracts by others than smooth boundaries.
+bool is_rough(const Material& material);
+
+/// Whether it scatters below a coat or between microfacets.
+bool has_layers(const Material& material);
+
+struct PackedMaterials {
+    std::vector<MaterialRecord> records;
+    std::vector<uint32_t> albedos; ///< tables of shared/albedo.h
+};
+PackedMaterials pack_materials(const Scene& scene);
 
 /// The sets of texture coordinates that the scene's textures use, ascending; at least one. They are
 /// packed in this order.

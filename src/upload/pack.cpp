@@ -34,7 +34,10 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.textures = !scene.textures.empty();
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         features.normal_maps |= scene.materials[i].normal_texture != NO_TEXTURE;
-        features.kinds |= 1u << uint32_t(path_material(scene, i).kind);
+        const Material material = path_material(scene, i);
+        features.kinds |= 1u << uint32_t(material.kind);
+        features.rough |= is_rough(material);
+        features.albedos |= has_layers(material);
     }
     features.uv_sets = uint32_t(used_uv_sets(scene).size());
     for (const Texture& texture : scene.textures) {
@@ -43,7 +46,10 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
         features.wide_textures |= !texture.image.low.empty();
     }
     features.vertex_colors = !packed.colors.empty();
+    features.common_lobes = ~0u;
     for (const MaterialRecord& material : packed.materials) {
+        features.lobes |= material.lobes;
+        features.common_lobes &= material.lobes;
         features.alpha |= material.alpha_mode != ALPHA_OPAQUE;
         features.culling |= !material.double_sided;
     }
@@ -80,6 +86,12 @@ std::optional<Extent> bounds_for_parallel_rays(const Scene& scene) {
     return extent_of(scene).all;
 }
 
+static void pack_appearance(PackedScene& packed, const Scene& scene) {
+    PackedMaterials materials = pack_materials(scene);
+    packed.materials = std::move(materials.records);
+    packed.albedos = std::move(materials.albedos);
+}
+
 static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry flat) {
     packed.bounds = bounds_for_parallel_rays(scene);
     LightList lights = build_lights(scene, flat);
@@ -102,7 +114,7 @@ PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
     FlatGeometry flat = flatten_geometry(scene);
     build_tree(packed, flat, options);
     pack_geometry(packed, scene, std::move(flat));
-    packed.materials = pack_materials(scene);
+    pack_appearance(packed, scene);
     PackedTextures textures = pack_textures(scene);
     packed.textures = std::move(textures.records);
     packed.texels = std::move(textures.texels);
@@ -137,7 +149,7 @@ void repack_scene(PackedScene& packed, const Scene& scene, SceneChange change,
             build_tree(packed, flat, options);
         pack_geometry(packed, scene, std::move(flat));
     }
-    packed.materials = pack_materials(scene);
+    pack_appearance(packed, scene);
     packed.environment_group = LightGroups(scene)(scene.environment.group);
     packed.features = find_features(scene, packed);
 }

@@ -47,6 +47,9 @@ inline SceneFeatures all_features() {
             .textures = true,
             .normal_maps = true,
             .environment = true,
+            .rough = true,
+            .albedos = true,
+            .lobes = ALL_LOBES,
             .kinds = ALL_KINDS,
             .lights = ALL_LIGHTS,
             .stack_size = 192};

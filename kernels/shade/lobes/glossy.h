@@ -1,5 +1,6 @@
 // Reflection by GGX microfacets: conductors, the specular part of glTF's mix (glTF 2.0, appendix
-// B). A mirror where it is smooth.
+// B). A mirror where it is smooth. What leaves the microfacets only after it has met several of
+// them is a matter of the diffuse lobe.
 #ifndef ONDE_SHADE_LOBES_GLOSSY_H
 #define ONDE_SHADE_LOBES_GLOSSY_H
 
@@ -27,8 +28,13 @@ INLINE real3 glossy_fresnel(GlossyLobe lobe, real cosine) {
     return fresnel_schlick(lobe.f0, lobe.f90, cosine);
 }
 // Not 0 for black metals, which reflect at grazing angles.
-INLINE real glossy_weight(GlossyLobe lobe, real cosine) {
-    return max_real(luminance3(glossy_fresnel(lobe, cosine)), (real)(1e-9f));
+INLINE real glossy_weight(GlossyLobe lobe, MaterialPoint m) {
+#if ONDE_ALBEDOS
+    const real reflected = schlick_albedo(m.albedo, luminance3(lobe.f0), lobe.f90);
+#else
+    const real reflected = luminance3(glossy_fresnel(lobe, m.cosine));
+#endif
+    return max_real(reflected, (real)(1e-9f));
 }
 INLINE mask glossy_is_smooth(GlossyLobe lobe) {
     return lobe.alpha < SMOOTH_ALPHA;
@@ -38,6 +44,7 @@ INLINE mask glossy_is_smooth(GlossyLobe lobe) {
 INLINE LobeValue glossy_eval(GlossyLobe lobe, real3 wo, real3 wi, mask lanes) {
     const mask seen = lanes & (lobe.alpha >= SMOOTH_ALPHA) & (wi.z > 0.0f);
     LobeValue v = no_lobe_value();
+    if (!ONDE_ROUGH) return v;
     if_any (seen) {
         const real3 h = half_vector(wo, wi);
         const real d = ggx_distribution(h, lobe.alpha);

@@ -1,7 +1,7 @@
 // What every lobe of a BSDF gives and takes. Local directions: the shading normal is +z, wo is
 // above. A lobe `name` is a file of this folder and a line of LOBES in shared/scene.h:
 //   name_load(view, point)              its numbers, from a material's
-//   name_weight(lobe, cosine)           about how much it reflects, for the choice among lobes
+//   name_weight(lobe, point)            about how much it reflects, for the choice among lobes
 //   name_is_smooth(lobe)                whether all of it is a delta part
 //   name_eval(lobe, wo, wi, lanes)      BSDF times cosine, and the density of name_sample, both
 //                                       without their delta part; nothing in other lanes
@@ -10,7 +10,7 @@
 #define ONDE_SHADE_LOBES_LOBE_H
 
 #include "math/sampling.h"
-#include "shade/fresnel.h"
+#include "shade/albedo.h"
 #include "shade/texture.h"
 
 // A material at a point: what several lobes need of it, textures and all. What one lobe needs it
@@ -22,7 +22,12 @@ typedef struct {
     real3 color;
     real alpha; // roughness^2
     real metallic;
-    mask front; // whether its front is seen
+    mask front;  // whether its front is seen
+    real cosine; // of the view direction and the shading normal, > 0
+#if ONDE_ALBEDOS
+    AlbedoRow row;
+    Albedo albedo; // of its microfacets, seen so
+#endif
 } MaterialPoint;
 
 // Whether it is of a kind; the answer is known where no material of the scene is.

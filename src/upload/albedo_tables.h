@@ -1,0 +1,38 @@
+// The tables of directional albedos that a scene's materials need. See kernels/shared/albedo.h for
+// what lies where.
+#pragma once
+
+#include "shared/albedo.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace onde {
+
+/// The tables that a scene's materials need, in one buffer.
+class AlbedoTables {
+  public:
+    /// The first word of the table of glass of an index of refraction, outside over inside. Where
+    /// there are very many indices, that of the nearest.
+    uint32_t glass(float ior);
+    /// The table of reflection first, then those of glass; where none is asked for, zeros, which
+    /// kernels for more than the scene has may read.
+    std::vector<uint32_t> words() &&;
+    /// Asks for the table of reflection.
+    void reflection() { used_ = true; }
+
+  private:
+    bool used_ = false;
+    std::vector<float> iors_;
+};
+
+/// The same interpolation as the kernels': the two numbers of a direction, or their means, each in
+/// [0, 1], from the table that starts at `table`.
+struct AlbedoNumbers {
+    double first, second;
+};
+AlbedoNumbers albedo_numbers(std::span<const uint32_t> table, double cosine, double alpha);
+AlbedoNumbers mean_albedo_numbers(std::span<const uint32_t> table, double alpha);
+
+} // namespace onde

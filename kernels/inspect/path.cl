@@ -7,7 +7,7 @@
 
 // The lobes, each chosen with its probability.
 INLINE void report_bsdf(__global BounceReport* report, Bsdf b) {
-#define REPORT_LOBE(NAME, name, Type, transmits)                                            \
+#define REPORT_LOBE(NAME, name, Type, transmits)                                                   \
     if (HAS_LOBE(NAME) && b.has.name) lobes |= 1u << LOBE_##NAME;                                  \
     report->probability[LOBE_##NAME] = HAS_LOBE(NAME) ? b.probability.name : 0.0f;
     uint lobes = 0;

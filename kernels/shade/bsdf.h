@@ -52,7 +52,7 @@ typedef struct {
 INLINE LobeSum lobes_from(uint first, LobeMasks there, LobeNumbers weight) {
     LobeSum sum;
     sum.weight = sum.count = (real)(0.0f);
-#define ADD_LOBE(NAME, name, Type, transmits)                                               \
+#define ADD_LOBE(NAME, name, Type, transmits)                                                      \
     if (HAS_LOBE(NAME) && LOBE_##NAME >= first) {                                                  \
         sum.weight += choose(there.name, weight.name, (real)(0.0f));                               \
         sum.count += choose(there.name, (real)(1.0f), (real)(0.0f));                               \
@@ -87,7 +87,7 @@ INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m) {
     const natural lobes = RECORD_NATURAL(view.materials, m.material, MaterialRecord, lobes);
     LobeMasks there;
     LobeNumbers weight;
-#define LOAD_LOBE(NAME, name, Type, transmits)                                              \
+#define LOAD_LOBE(NAME, name, Type, transmits)                                                     \
     if (HAS_LOBE(NAME)) {                                                                          \
         b.name = name##_load(view, m);                                                             \
         b.has.name = ALL_HAVE_LOBE(NAME) ? m.kind == m.kind : (lobes >> LOBE_##NAME & 1u) != 0u;   \
@@ -97,7 +97,7 @@ INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m) {
     LOBES(LOAD_LOBE)
 #undef LOAD_LOBE
     const LobeSum all = lobes_from(0, there, weight);
-#define CHOOSE_LOBE(NAME, name, Type, transmits)                                            \
+#define CHOOSE_LOBE(NAME, name, Type, transmits)                                                   \
     if (HAS_LOBE(NAME)) {                                                                          \
         b.reach.name = REACH(LOBE_##NAME, all, there, weight);                                     \
         b.probability.name = b.reach.name - REACH(LOBE_##NAME + 1, all, there, weight);            \
@@ -120,7 +120,7 @@ INLINE BsdfValue bsdf_eval(Bsdf b, real3 wo, real3 wi) {
     BsdfValue v;
     v.value = zero3();
     v.pdf = (real)(0.0f);
-#define EVAL_LOBE(NAME, name, Type, transmits)                                              \
+#define EVAL_LOBE(NAME, name, Type, transmits)                                                     \
     if (HAS_LOBE(NAME)) {                                                                          \
         if_any (b.has.name) {                                                                      \
             const LobeValue lobe = name##_eval(b.name, wo, wi, b.has.name);                        \
@@ -145,7 +145,7 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     lobe.wi = lobe.weight = zero3();
     lobe.delta = lobe.valid = choice < 0.0f;
     real probability = (real)(1.0f);
-#define SAMPLE_LOBE(NAME, name, Type, transmits)                                            \
+#define SAMPLE_LOBE(NAME, name, Type, transmits)                                                   \
     if (HAS_LOBE(NAME)) {                                                                          \
         const mask chosen = (choice < b.reach.name) & (b.probability.name > 0.0f);                 \
         if_any (chosen) {                                                                          \
@@ -172,7 +172,7 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
 // Whether light may pass the surface.
 INLINE mask bsdf_transmits(Bsdf b) {
     mask passes = (mask)(0);
-#define ADD_LOBE(NAME, name, Type, transmits)                                               \
+#define ADD_LOBE(NAME, name, Type, transmits)                                                      \
     if (HAS_LOBE(NAME) && transmits) passes = passes | b.has.name;
     LOBES(ADD_LOBE)
 #undef ADD_LOBE
@@ -182,7 +182,7 @@ INLINE mask bsdf_transmits(Bsdf b) {
 // Whether it has nothing but smooth lobes, so that what is seen in it is sharp.
 INLINE mask bsdf_is_mirror(Bsdf b) {
     mask smooth = (mask)(0), rough = (mask)(0);
-#define SORT_LOBE(NAME, name, Type, transmits)                                              \
+#define SORT_LOBE(NAME, name, Type, transmits)                                                     \
     if (HAS_LOBE(NAME)) {                                                                          \
         const mask there = b.has.name & (b.probability.name > 0.0f);                               \
         smooth = smooth | (there & name##_is_smooth(b.name));                                      \

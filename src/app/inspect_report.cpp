@@ -124,7 +124,7 @@ std::string lobes_text(const BounceReport& b) {
         parts.push_back(fmt::format("alpha {:.4g}", b.alpha));
     std::string words =
         parts.empty() ? "scatters no light" : fmt::format("{}", fmt::join(parts, ", "));
-#define ONDE_WORDS(NAME, name, Type, transmits)                                             \
+#define ONDE_WORDS(NAME, name, Type, transmits)                                                    \
     if (b.probability[LOBE_##NAME] > 0 && b.probability[LOBE_##NAME] < 1)                          \
         words += fmt::format(", " #name " lobe chosen with {:.4g}", b.probability[LOBE_##NAME]);
     LOBES(ONDE_WORDS)

@@ -15,8 +15,8 @@ inline constexpr uint32_t ALL_LOBES = (1u << LOBE_COUNT) - 1;
 inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
 
 /// FEATURE(Type, name, initial, NAME of the kernels' ONDE_NAME, how kernels of two scenes have it):
-/// either: as bits of both; shared: what both have; larger: the larger number; data: as it lies in memory, so that
-/// there are no kernels for two scenes that differ in it.
+/// either: as bits of both; shared: what both have; larger: the larger number; data: as it lies in
+/// memory, so that there are no kernels for two scenes that differ in it.
 #define SCENE_FEATURES(FEATURE)                                                                    \
     FEATURE(bool, instances, false, INSTANCES, either)                                             \
     FEATURE(bool, spheres, false, SPHERES, either)                                                 \
@@ -38,7 +38,7 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(uint32_t, lobes, 0, LOBES, either)     /* bits by LOBE_..., of some material */        \
     FEATURE(uint32_t, common_lobes, 0, COMMON_LOBES, shared) /* and of all */                      \
     FEATURE(uint32_t, kinds, 0, KINDS, either)               /* bits by MATERIAL_... */            \
-    FEATURE(uint32_t, lights, 0, LIGHTS, either)   /* bits by LIGHT_... */                         \
+    FEATURE(uint32_t, lights, 0, LIGHTS, either)             /* bits by LIGHT_... */               \
     FEATURE(uint32_t, stack_size, 1, STACK_SIZE, larger)                                           \
     FEATURE(bool, watertight, false, WATERTIGHT, data)
 

@@ -8,107 +8,131 @@
 namespace onde {
 namespace {
 
-constexpr size_t RINGS = 32, SECTORS = 16;
+/// A sum is kept by this many parts, which compilers make a vector's.
+constexpr size_t LANES = 16;
 
-/// A point of half a unit disk, which a symmetric integrand takes for the whole.
-struct DiskPoint {
-    double x, y, weight;
+/// Points of half a unit disk, which a symmetric integrand takes for the whole.
+template <size_t RINGS, size_t SECTORS>
+struct DiskPoints {
+    static constexpr size_t COUNT = RINGS * SECTORS;
+    std::array<float, COUNT> x, y, weight;
+
+    /// Denser towards the rim, which stands for microfacets of all steep slopes.
+    DiskPoints();
 };
-using DiskPoints = std::array<DiskPoint, RINGS * SECTORS>;
 
-/// The cosine and sine of pi / 2^halvings, from square roots alone: pictures must not depend on
-/// whose library computes sines.
-std::complex<double> halved_turn(int halvings) {
+/// The direction of pi / turns, a power of two, from square roots alone: pictures must not depend
+/// on whose library computes sines.
+std::complex<double> part_of_half_turn(size_t parts) {
     double cosine = -1;
-    for (int i = 0; i < halvings; i++) cosine = std::sqrt((1 + cosine) / 2);
+    for (; parts > 1; parts /= 2) cosine = std::sqrt((1 + cosine) / 2);
     return {cosine, std::sqrt(1 - cosine * cosine)};
 }
 
-/// Denser towards the rim, which stands for microfacets of all steep slopes.
-DiskPoints disk_points() {
-    static_assert(SECTORS == 1 << 4);
-    DiskPoints points;
-    std::complex<double> direction = halved_turn(5) * std::complex<double>(0, -1);
-    for (size_t j = 0; j < SECTORS; j++, direction *= halved_turn(4))
+template <size_t RINGS, size_t SECTORS>
+DiskPoints<RINGS, SECTORS>::DiskPoints() {
+    const std::complex<double> step = part_of_half_turn(SECTORS);
+    std::complex<double> direction = part_of_half_turn(2 * SECTORS) / part_of_half_turn(2);
+    double sum = 0;
+    for (size_t j = 0; j < SECTORS; j++, direction *= step)
         for (size_t i = 0; i < RINGS; i++) {
             const double left = 1 - (double(i) + 0.5) / RINGS;
             const double radius = std::sqrt(1 - left * left * left);
-            points[i * SECTORS + j] = {radius * direction.real(), radius * direction.imag(),
-                                       left * left};
+            x[j * RINGS + i] = float(radius * direction.real());
+            y[j * RINGS + i] = float(radius * direction.imag());
+            weight[j * RINGS + i] = float(left * left);
+            sum += left * left;
         }
-    double sum = 0;
-    for (const DiskPoint& p : points) sum += p.weight;
-    for (DiskPoint& p : points) p.weight /= sum;
-    return points;
+    for (float& w : weight) w = float(w / sum);
 }
 
-double lambda(double cosine, double alpha) {
-    const double tangent2 = (1 - cosine * cosine) / (cosine * cosine);
-    return 0.5 * (std::sqrt(1 + alpha * alpha * tangent2) - 1);
+float lambda(float cosine, float alpha) {
+    const float tangent2 = (1 - cosine * cosine) / (cosine * cosine);
+    return 0.5f * (std::sqrt(1 + alpha * alpha * tangent2) - 1);
+}
+
+/// Masking and shadowing over the masking of the view alone; nothing leaves at or below 0.
+float shadowing(float seen, float leaving, float alpha) {
+    const float part = (1 + seen) / (1 + seen + lambda(std::max(leaving, 1e-6f), alpha));
+    return leaving > 0 ? part : 0;
+}
+
+float schlick_weight(float cosine) {
+    const float m = 1 - std::clamp(cosine, 0.0f, 1.0f);
+    return m * m * (m * m) * m;
 }
 
 /// A microfacet that is seen: cosines of its normal with the view direction and the surface's
 /// normal.
 struct Microfacet {
-    double out, up;
+    float out, up;
 };
 
-/// Calls visit(microfacet, weight) for microfacets that are seen under a cosine, in proportion to
-/// how much is seen of each (Heitz 2018).
-template <class Visit>
-void for_microfacets(double cosine, double alpha, const Visit& visit) {
-    static const DiskPoints points = disk_points();
-    const double sine = std::sqrt(1 - cosine * cosine);
-    const double length = std::sqrt(alpha * alpha * sine * sine + cosine * cosine);
-    const double x = alpha * sine / length, z = cosine / length; // the view, stretched
-    const double s = 0.5 * (1 + z);
-    for (const DiskPoint& p : points) {
-        const double across = (1 - s) * std::sqrt(1 - p.x * p.x) + s * p.y;
-        const double ahead = std::sqrt(std::max(1 - p.x * p.x - across * across, 0.0));
-        const double nx = alpha * (ahead * x - across * z), ny = alpha * p.x;
-        const double nz = std::max(ahead * z + across * x, 1e-6);
-        const double scale = 1 / std::sqrt(nx * nx + ny * ny + nz * nz);
-        visit(Microfacet{(nx * sine + nz * cosine) * scale, nz * scale}, p.weight);
+/// Two means at once.
+struct Pair {
+    double first, second;
+};
+
+/// The means of part(microfacet), a std::array of two numbers, over microfacets that are seen under
+/// a cosine, in proportion to how much is seen of each (Heitz 2018).
+template <class Points, class Part>
+Pair mean_of_microfacets(float cosine, float alpha, const Part& part) {
+    static const Points points;
+    const float sine = std::sqrt(1 - cosine * cosine);
+    const float length = std::sqrt(alpha * alpha * sine * sine + cosine * cosine);
+    const float x = alpha * sine / length, z = cosine / length; // the view, stretched
+    const float s = 0.5f * (1 + z);
+    std::array<float, LANES> first{}, second{};
+    for (size_t i = 0; i < Points::COUNT; i += LANES)
+        for (size_t k = 0; k < LANES; k++) {
+            const float px = points.x[i + k];
+            const float across = (1 - s) * std::sqrt(1 - px * px) + s * points.y[i + k];
+            const float ahead = std::sqrt(std::max(1 - px * px - across * across, 0.0f));
+            const float nx = alpha * (ahead * x - across * z), ny = alpha * px;
+            const float nz = std::max(ahead * z + across * x, 1e-6f);
+            const float scale = 1 / std::sqrt(nx * nx + ny * ny + nz * nz);
+            const auto both = part(Microfacet{(nx * sine + nz * cosine) * scale, nz * scale});
+            first[k] += points.weight[i + k] * both[0];
+            second[k] += points.weight[i + k] * both[1];
+        }
+    Pair sum{0, 0};
+    for (size_t k = 0; k < LANES; k++) {
+        sum.first += double(first[k]);
+        sum.second += double(second[k]);
     }
+    return sum;
 }
 
-/// Masking and shadowing over the masking of the view alone; nothing leaves at or below 0.
-double shadowing(double seen, double leaving, double alpha) {
-    return leaving > 0 ? (1 + seen) / (1 + seen + lambda(leaving, alpha)) : 0;
-}
-
-double schlick_weight(double cosine) {
-    const double m = 1 - std::clamp(cosine, 0.0, 1.0);
-    return m * m * (m * m) * m;
+/// What a boundary scatters of the light that meets a microfacet.
+float scattered(Microfacet m, float cosine, float alpha, float seen, float eta) {
+    const float out = std::max(m.out, 0.0f), sine2 = (1 - out * out) / (eta * eta);
+    const float in = std::sqrt(std::max(1 - sine2, 0.0f));
+    const float p = (eta * out - in) / (eta * out + in), s = (out - eta * in) / (out + eta * in);
+    const float fresnel = sine2 >= 1 ? 1.0f : 0.5f * (p * p + s * s);
+    const float refracted = cosine / eta - (out / eta - in) * m.up;
+    return fresnel * shadowing(seen, 2 * out * m.up - cosine, alpha) +
+           (1 - fresnel) * shadowing(seen, refracted, alpha);
 }
 
 } // namespace
 
 ReflectionAlbedo reflection_albedo(double cosine, double alpha) {
-    ReflectionAlbedo sum{0, 0};
-    const double seen = lambda(cosine, alpha);
-    for_microfacets(cosine, alpha, [&](Microfacet m, double weight) {
-        const double part = weight * shadowing(seen, 2 * m.out * m.up - cosine, alpha);
-        sum.white += part;
-        sum.grazing += part * schlick_weight(m.out);
+    const auto c = float(cosine), a = float(alpha);
+    const float seen = lambda(c, a);
+    const Pair mean = mean_of_microfacets<DiskPoints<32, 16>>(c, a, [&](Microfacet m) {
+        const float reflected = shadowing(seen, 2 * m.out * m.up - c, a);
+        return std::array{reflected, reflected * schlick_weight(m.out)};
     });
-    return sum;
+    return {mean.first, mean.second};
 }
 
-double glass_albedo(double cosine, double alpha, double eta) {
-    double sum = 0;
-    const double seen = lambda(cosine, alpha);
-    for_microfacets(cosine, alpha, [&](Microfacet m, double weight) {
-        const double out = std::max(m.out, 0.0), sine2 = (1 - out * out) / (eta * eta);
-        const double in = std::sqrt(std::max(1 - sine2, 0.0));
-        const double p = (eta * out - in) / (eta * out + in);
-        const double s = (out - eta * in) / (out + eta * in);
-        const double fresnel = sine2 >= 1 ? 1 : 0.5 * (p * p + s * s);
-        const double refracted = cosine / eta - (out / eta - in) * m.up;
-        sum += weight * (fresnel * shadowing(seen, 2 * out * m.up - cosine, alpha) +
-                         (1 - fresnel) * shadowing(seen, refracted, alpha));
+GlassAlbedo glass_albedo(double cosine, double alpha, double ior) {
+    const auto c = float(cosine), a = float(alpha), outside = float(ior), inside = float(1 / ior);
+    const float seen = lambda(c, a);
+    const Pair mean = mean_of_microfacets<DiskPoints<64, 32>>(c, a, [&](Microfacet m) {
+        return std::array{scattered(m, c, a, seen, outside), scattered(m, c, a, seen, inside)};
     });
-    return sum;
+    return {mean.first, mean.second};
 }
 
 } // namespace onde

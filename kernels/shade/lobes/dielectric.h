@@ -14,10 +14,10 @@ typedef struct {
     real eta; // index below over index above
 #if ONDE_ROUGH
     AlbedoRow row;
-    mask front;       // whether the directions above lie outside
-    real lost;        // between microfacets, of light along wo
-    real below;       // the part of that which comes out below
-    real2 mean_lost;  // of light from above, and from below
+    mask front;      // whether the directions above lie outside
+    real lost;       // between microfacets, of light along wo
+    real below;      // the part of that which comes out below
+    real2 mean_lost; // of light from above, and from below
     __global const uint* albedos;
 #endif
 } DielectricLobe;
@@ -46,15 +46,14 @@ INLINE DielectricLobe dielectric_losses(SceneView view, MaterialPoint m, Dielect
     lobe.albedos = view.albedos;
     lobe.front = m.front;
     const mask rough = lobe.alpha >= SMOOTH_ALPHA;
-    const real2 lost =
-        dielectric_lost(lobe, albedo_numbers(view.albedos, lobe.row, m.cosine));
+    const real2 lost = dielectric_lost(lobe, albedo_numbers(view.albedos, lobe.row, m.cosine));
     const real2 mean = dielectric_lost(lobe, albedo_means(view.albedos, lobe.row));
     const real least = (real)(1e-5f);
     lobe.mean_lost = make2(max_real(mean.x, least), max_real(mean.y, least));
     lobe.lost = choose(rough, lost.x, (real)(0.0f));
     // Both sides send each other the same, in units of their own media.
-    lobe.below = mean_transmission(lobe.eta) *
-                 min_real(lobe.mean_lost.y / lobe.mean_lost.x, (real)(1.0f));
+    lobe.below =
+        mean_transmission(lobe.eta) * min_real(lobe.mean_lost.y / lobe.mean_lost.x, (real)(1.0f));
     return lobe;
 }
 #endif
@@ -161,7 +160,8 @@ INLINE LobeSample dielectric_sample(DielectricLobe lobe, real3 wo, real choice, 
     const mask even = choice < lobe.lost;
     const mask falls = choice < lobe.lost * lobe.below;
     choice = (choice - lobe.lost) / max_real(1.0f - lobe.lost, (real)(1e-6f));
-    h = choose(s.delta, h, sample_visible_normal(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), u));
+    h = choose(s.delta, h,
+               sample_visible_normal(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), u));
 #endif
     const real fresnel = fresnel_dielectric(max_real(dot3(wo, h), (real)(0.0f)), lobe.eta);
     const mask refracted = choice >= fresnel;

@@ -53,8 +53,7 @@ INLINE DiffuseLobe diffuse_layered(SceneView view, MaterialPoint m, DiffuseLobe 
         scale3(make3(regained(m.color.x, mean.white), regained(m.color.y, mean.white),
                      regained(m.color.z, mean.white)),
                metallic * lost);
-    lobe.weight =
-        choose(layered, fma(luminance3(body), entering, luminance3(back)), lobe.weight);
+    lobe.weight = choose(layered, fma(luminance3(body), entering, luminance3(back)), lobe.weight);
     lobe.albedo = choose(layered, scale3(body, entering / spread), lobe.albedo);
     const real mean_lost = max_real(1.0f - mean.white, (real)(1e-5f));
     lobe.between = choose(layered, scale3(back, 1.0f / mean_lost), zero3());

@@ -57,7 +57,7 @@ __kernel void inspect_path(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS,
     for (bool alive = true; alive; bounce++) {
         __global BounceReport* report = reports + bounce;
         Hits hits = trace_closest(view.bvh, path.origin, path.direction, 1u);
-#if ONDE_PASSING
+#if ONDE_SEEN_THROUGH
         hits = estimator_pass(e, path, hits, (natural)(0u), bounce, (mask)(1));
 #endif
         explain_bounce(view, path, hits, sampler, bounce, report);
@@ -73,10 +73,16 @@ __kernel void inspect_path(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS,
         real3 arrives = report->blocked ? zero3() : v.connection.value;
 #if ESTIMATOR_TRANSLUCENT
         if (report->blocked) {
-            const real through = estimator_transmittance(
-                e, v.connection.origin, v.connection.direction, v.connection.distance, (mask)(1));
-            report->blocked = !(through > 0.0f);
-            arrives = scale3(v.connection.value, through);
+    #if ESTIMATOR_UNBENT
+            const mask unbent = v.connection.unbent != 0u;
+    #else
+            const mask unbent = 0;
+    #endif
+            const real3 through =
+                estimator_transmittance(e, v.connection.origin, v.connection.direction,
+                                        v.connection.distance, unbent, (mask)(1));
+            report->blocked = !nonzero3(through);
+            arrives = mul3(v.connection.value, through);
             report3(report->light_radiance, arrives);
         }
 #endif

@@ -18,10 +18,19 @@
 #endif
 
 #if ONDE_TRAIL
-COLUMNS_TYPE(Path, TRAILED_PATH_COLUMNS);
+    #define PATH_TRAIL TRAIL_COLUMNS
 #else
-COLUMNS_TYPE(Path, PATH_COLUMNS);
+    #define PATH_TRAIL NO_COLUMNS
 #endif
+#if ONDE_PANES
+    #define PATH_PANES PANE_COLUMNS
+#else
+    #define PATH_PANES NO_COLUMNS
+#endif
+#define ALL_PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                    \
+    PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                            \
+    PATH_TRAIL(VECTOR, REAL, NATURAL) PATH_PANES(VECTOR, REAL, NATURAL)
+COLUMNS_TYPE(Path, ALL_PATH_COLUMNS);
 
 typedef struct {
     real3 emitted;         // radiance found at this vertex
@@ -47,6 +56,9 @@ INLINE Path path_start(__global const FrameRecord* frame, natural pixel, Sampler
     path.direction = ray.direction;
     path.throughput = splat3((real)(1.0f));
     path.pdf = (real)(0.0f);
+#if ONDE_PANES
+    path.passed = (real)(0.0f);
+#endif
 #if ONDE_TRAIL
     path.diffuse = zero3();
     path.transmitted = (real)(0.0f);
@@ -73,7 +85,12 @@ INLINE real3 path_emission(SceneView view, Path path, real t, Surface s, mask la
     const mask emits = lanes & (s.light != NO_INDEX) & material_emits(view, s.material, s.front);
     if (!mask_bits(emits)) return zero3();
     const real3 radiance = material_emission(view, s.material, s.uv);
-    const real weight = found_weight(path.pdf, light_pdf(view, path.origin, path.direction, t, s));
+    real3 from = path.origin;
+#if ONDE_PANES // light was sampled where the path was turned
+    from = madd3(path.direction, -path.passed, from);
+    t += path.passed;
+#endif
+    const real weight = found_weight(path.pdf, light_pdf(view, from, path.direction, t, s));
     return choose(emits, mul3(path.throughput, scale3(radiance, weight)), zero3());
 }
 
@@ -105,6 +122,9 @@ INLINE Connection path_connection(SceneView view, Path path, Vertex v, Sampler s
     ray.distance = choose(finite, length * SHADOW_SHORTENING, (real)(INFINITE_DISTANCE));
     ray.distance = choose(useful, ray.distance, (real)(0.0f));
     ray.target = light.group;
+#if ONDE_UNBENT
+    ray.unbent = one_for(light.delta);
+#endif
 #if ONDE_TRAIL
     ray.diffuse = path.diffuse;
     ray.transmitted = path.transmitted;
@@ -154,6 +174,9 @@ INLINE void path_ground(SceneView view, Path path, Sampler sampler, uint bounce,
     result->next.direction = choose(ground, next.direction, result->next.direction);
     result->next.throughput = choose(ground, next.throughput, result->next.throughput);
     result->next.pdf = choose(ground, next.pdf, result->next.pdf);
+    #if ONDE_PANES
+    result->next.passed = choose(ground, (real)(0.0f), result->next.passed);
+    #endif
     #if ONDE_TRAIL
     result->next.mirrored = choose(ground, (natural)(0u), result->next.mirrored);
     #endif
@@ -203,6 +226,9 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     Vertex v;
     v.surface = surface_at(view, path.origin, path.direction, hit, found);
     v.t = choose(found, hit.t, (real)(0.0f));
+#if ONDE_ABSORPTION
+    path.throughput = mul3(path.throughput, solid_transmittance(view, v.surface, v.t));
+#endif
     const real3 emitted = path_emission(view, path, v.t, v.surface, found);
     result.emitted = choose(found, emitted, result.emitted);
     if (HAS_UNLIT) result.emitted = add3(result.emitted, path_unlit(view, path, v.surface, found));
@@ -241,6 +267,10 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     result.next.direction = direction;
     result.next.throughput = mul3(path.throughput, s.weight);
     result.next.pdf = choose(s.delta, (real)(0.0f), s.pdf);
+#if ONDE_PANES
+    result.next.pdf = choose(s.straight, path.pdf, result.next.pdf);
+    result.next.passed = choose(s.straight, path.passed + v.t, (real)(0.0f));
+#endif
 #if ONDE_TRAIL
     result.next.mirrored = choose(mirror, path.mirrored, (natural)(0u));
     if (bounce == 0) {

@@ -127,11 +127,14 @@
     OFFSET(MaterialRecord, double_sided)                                                           \
     OFFSET(MaterialRecord, group)                                                                  \
     OFFSET(MaterialRecord, albedos)                                                                \
+    OFFSET(MaterialRecord, blocks)                                                                 \
+    OFFSET(MaterialRecord, absorption)                                                             \
     OFFSET(MaterialRecord, base_color)                                                             \
     OFFSET(MaterialRecord, emission)                                                               \
     OFFSET(MaterialRecord, roughness)                                                              \
     OFFSET(MaterialRecord, metallic)                                                               \
     OFFSET(MaterialRecord, ior)                                                                    \
+    OFFSET(MaterialRecord, transmission)                                                           \
     OFFSET(MaterialRecord, normal_scale)                                                           \
     OFFSET(MaterialRecord, alpha)                                                                  \
     OFFSET(MaterialRecord, alpha_cutoff)                                                           \

@@ -3,9 +3,11 @@
 #ifndef ONDE_SHADE_BSDF_H
 #define ONDE_SHADE_BSDF_H
 
+#include "math/random.h"
 #include "shade/lobes/dielectric.h"
 #include "shade/lobes/diffuse.h"
 #include "shade/lobes/glossy.h"
+#include "shade/lobes/thin.h"
 
 // Whether some material of the scene has a lobe, and whether all have it.
 #define HAS_LOBE(NAME) (ONDE_LOBES >> LOBE_##NAME & 1u)
@@ -42,6 +44,9 @@ typedef struct {
     real pdf;     // 0 after a delta lobe
     mask delta;
     mask valid;
+#if ONDE_PANES
+    mask straight; // wi goes on through a thin wall, as light from a light may
+#endif
 } BsdfSample;
 
 // The weights of the lobes that are there, and their number, from one of LOBES on.
@@ -80,10 +85,6 @@ INLINE real only_lobe_reach(uint first, LobeSum all, LobeMasks there, LobeNumber
 
 INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m) {
     Bsdf b;
-#if ONDE_ALBEDOS
-    m.row = albedo_row((natural)(0u), m.alpha);
-    m.albedo = reflection_albedo(view.albedos, m.row, m.cosine);
-#endif
     const natural lobes = RECORD_NATURAL(view.materials, m.material, MaterialRecord, lobes);
     LobeMasks there;
     LobeNumbers weight;
@@ -139,6 +140,12 @@ INLINE real share_of(real part, real whole) {
     return choose(whole > 0.0f, share, (real)(0.0f));
 }
 
+// What is left of a choice that has picked a lobe, in [0, 1).
+INLINE real rest_of_choice(real choice, real reach, real probability) {
+    const real rest = (choice - (reach - probability)) / max_real(probability, (real)(1e-6f));
+    return clamp_real(rest, 0.0f, LARGEST_BELOW_ONE);
+}
+
 // choice picks the lobe, u the direction; all in [0, 1).
 INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     LobeSample lobe;
@@ -149,7 +156,9 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     if (HAS_LOBE(NAME)) {                                                                          \
         const mask chosen = (choice < b.reach.name) & (b.probability.name > 0.0f);                 \
         if_any (chosen) {                                                                          \
-            lobe = choose(chosen, name##_sample(b.name, wo, choice, u), lobe);                     \
+            real own = choice;                                                                     \
+            if (transmits) own = rest_of_choice(choice, b.reach.name, b.probability.name);         \
+            lobe = choose(chosen, name##_sample(b.name, wo, own, u), lobe);                        \
             probability = choose(chosen, b.probability.name, probability);                         \
         }                                                                                          \
     }
@@ -166,6 +175,10 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     }
     s.pdf = choose(lobe.delta, (real)(0.0f), v.pdf);
     s.valid = lobe.valid & (lobe.delta | (v.pdf > 0.0f));
+#if ONDE_PANES
+    const mask pane = HAS_LOBE(DIELECTRIC) ? b.has.thin & !b.has.dielectric : b.has.thin;
+    s.straight = pane & lobe.delta & (lobe.wi.z < 0.0f);
+#endif
     return s;
 }
 

@@ -44,8 +44,8 @@ INLINE mask is_unlit(SceneView view, natural material) {
     return RECORD_NATURAL(view.materials, material, MaterialRecord, kind) == MATERIAL_UNLIT;
 }
 
-// The BSDF at a surface. cosine: of the view direction and the shading normal, > 0.
-INLINE Bsdf material_bsdf(SceneView view, Surface s, real cosine) {
+// The material at a surface. cosine: of the view direction and the shading normal, > 0.
+INLINE MaterialPoint material_point(SceneView view, Surface s, real cosine) {
     MaterialPoint m;
     m.material = s.material;
     m.uv = s.uv;
@@ -62,7 +62,21 @@ INLINE Bsdf material_bsdf(SceneView view, Surface s, real cosine) {
     m.metallic *= packed.z;
 #endif
     m.alpha = roughness * roughness;
-    return bsdf_load(view, m);
+#if ONDE_ALBEDOS
+    m.row = albedo_row((natural)(0u), m.alpha);
+    m.albedo = reflection_albedo(view.albedos, m.row, m.cosine);
+#endif
+#if ONDE_TRANSMISSION
+    m.transmission = RECORD(view.materials, s.material, MaterialRecord, transmission);
+    #if ONDE_TEXTURES
+    const natural clear = material_texture(view, s.material, TEXTURE_TRANSMISSION);
+    m.transmission *= texture_data(view, clear, s.uv).x;
+    #endif
+#endif
+    return m;
+}
+INLINE Bsdf material_bsdf(SceneView view, Surface s, real cosine) {
+    return bsdf_load(view, material_point(view, s, cosine));
 }
 
 #endif

@@ -21,7 +21,8 @@
 #define LOBES(LOBE)                                                                                \
     LOBE(DIFFUSE, diffuse, DiffuseLobe, 0)                                                         \
     LOBE(GLOSSY, glossy, GlossyLobe, 0)                                                            \
-    LOBE(DIELECTRIC, dielectric, DielectricLobe, 1)
+    LOBE(DIELECTRIC, dielectric, DielectricLobe, 1)                                                \
+    LOBE(THIN, thin, ThinLobe, 1)
 #define LOBE_INDEX(NAME, name, Type, transmits) LOBE_##NAME,
 enum { LOBES(LOBE_INDEX) LOBE_COUNT };
 
@@ -33,11 +34,12 @@ enum { LOBES(LOBE_INDEX) LOBE_COUNT };
 #define MATERIAL_COLORS(COLOR) COLOR(base_color) COLOR(emission)
 #define MATERIAL_NUMBERS(NUMBER)                                                                   \
     NUMBER(roughness)                                                                              \
-    NUMBER(metallic) NUMBER(ior) NUMBER(normal_scale) NUMBER(alpha) NUMBER(alpha_cutoff)
+    NUMBER(metallic) NUMBER(ior) NUMBER(transmission) NUMBER(normal_scale) NUMBER(alpha) NUMBER(alpha_cutoff)
 #define TEXTURE_SLOTS(SLOT)                                                                        \
     SLOT(BASE_COLOR, base_color)                                                                   \
     SLOT(METALLIC_ROUGHNESS, metallic_roughness)                                                   \
     SLOT(EMISSION, emission)                                                                       \
+    SLOT(TRANSMISSION, transmission)                                                               \
     SLOT(NORMAL, normal)
 
 #define TEXTURE_INDEX(NAME, name) TEXTURE_##NAME,
@@ -59,6 +61,8 @@ typedef struct {
     uint double_sided; // else camera rays pass its back
     uint group;        // of lights, that its emission belongs to
     uint albedos;      // of rough glass: the first word of its table of directional albedos
+    uint blocks;         // whether it, smooth glass, blocks light that only straight ways reach
+    float absorption[3]; // inside of it: halvings per unit of length
     MATERIAL_COLORS(COLOR_MEMBER)
     MATERIAL_NUMBERS(NUMBER_MEMBER)
     uint texture[TEXTURE_COUNT]; // by slot: index of a TextureRecord, or NO_INDEX

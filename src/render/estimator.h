@@ -3,6 +3,7 @@
 
 #include "gpu/program.h"
 #include "render/options.h"
+#include "upload/features.h"
 
 #include <cstdint>
 #include <string>
@@ -33,10 +34,11 @@ class Estimator {
 };
 
 /// The path tracer, which has no buffers of its own. Where the film has AOVs of light and guides,
-/// paths know more about what came before; where it has groups of lights, connections know theirs.
+/// paths know more about what came before; where it has groups of lights, connections know theirs;
+/// and where the scene has panes, both know what they pass.
 class PathEstimator : public Estimator {
   public:
-    explicit PathEstimator(const RenderOptions& options);
+    PathEstimator(const SceneFeatures& features, const RenderOptions& options);
     const EstimatorShape& shape() const override { return shape_; }
     uint32_t bind(gpu::Kernel&, uint32_t first) const override { return first; }
 

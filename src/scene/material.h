@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,18 @@ constexpr auto enum_words(AlphaMode) {
                       EnumWord{AlphaMode::blend, "blend"}};
 }
 
+/// What smooth glass does to light that no sampling finds behind it: that of points, spots and
+/// directions.
+enum class GlassShadows : uint32_t {
+    straight, ///< it goes on unbent, as far as it is not reflected
+    opaque,   ///< it is blocked
+};
+
+constexpr auto enum_words(GlassShadows) {
+    return std::array{EnumWord{GlassShadows::straight, "straight"},
+                      EnumWord{GlassShadows::opaque, "opaque"}};
+}
+
 /// Surface appearance. Textures multiply the factor beside them, as in glTF:
 /// base_color (rgb), roughness (g) and metallic (b) of one texture, emission (rgb).
 /// GGX alpha is roughness^2; an alpha below 1e-3 is perfectly smooth (a delta distribution).
@@ -91,12 +104,19 @@ struct Material {
     glm::vec3 base_color{0.8f};
     float roughness = 1.0f;
     float metallic = 0.0f;    ///< metallic_roughness only
-    float ior = 1.5f;         ///< interior over exterior index; dielectric only
+    float ior = 1.5f; ///< interior over exterior index; of dielectric, and of the dielectric half of
+                      ///< metallic_roughness
+    float transmission = 0.0f; ///< share of that half's body that is clear; metallic_roughness only
+    bool thin_walled = false;  ///< what lets light through is a sheet: light is not bent
+    glm::vec3 attenuation_color{1.0f};   ///< of white light after attenuation_distance inside
+    std::optional<float> attenuation_distance{}; ///< in world units; nothing is absorbed without
+    GlassShadows shadows = GlassShadows::straight;
     glm::vec3 emission{0.0f}; ///< radiance, from the front face only (both faces if two_sided)
     bool two_sided = true;    ///< whether emission leaves the back face as well
     int32_t base_color_texture = NO_TEXTURE;
     int32_t metallic_roughness_texture = NO_TEXTURE;
     int32_t emission_texture = NO_TEXTURE;
+    int32_t transmission_texture = NO_TEXTURE; ///< red
     int32_t normal_texture = NO_TEXTURE; ///< tangent-space normals, +Y up as in glTF
     float normal_scale = 1.0f;
     AlphaMode alpha_mode = AlphaMode::opaque;
@@ -117,8 +137,21 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("roughness", &M::roughness, "0 is a mirror; GGX alpha is its square",
               {.range = UNIT, .absent = "`1`; `0` for conductor and dielectric"}),
         field("metallic", &M::metallic, "of `metallic-roughness` only", {.range = UNIT}),
-        field("ior", &M::ior, "interior over exterior index of refraction; of `dielectric` only",
+        field("ior", &M::ior, "interior over exterior index of refraction, of what is not metal",
               {.range = {.low = 0.01, .high = 100}}),
+        field("transmission", &M::transmission,
+              "share of `metallic-roughness` that is clear where it is not metal; `dielectric` is all",
+              {.range = UNIT}),
+        field("thin_walled", &M::thin_walled,
+              "what is clear is a sheet, behind which light goes on as it came"),
+        field("attenuation_color", &M::attenuation_color,
+              "of white light after `attenuation_distance` inside of what is clear",
+              {.range = UNIT, .form = Form::color}),
+        field("attenuation_distance", &M::attenuation_distance, "in units of the world",
+              {.range = POSITIVE, .absent = "nothing is absorbed"}),
+        field("shadows", &M::shadows,
+              "light of points, spots and directions, which never finds its way through smooth solid "
+              "glass: it passes unbent, or not"),
         field("emission", &M::emission, "radiance", {.range = NOT_NEGATIVE, .form = Form::color}),
         field("two_sided", &M::two_sided, "whether the back face emits as well"),
         field("base_color_texture", &M::base_color_texture, "multiplies `base_color`",
@@ -128,6 +161,8 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("emission_texture", &M::emission_texture,
               "multiplies `emission`, so write `emission = 1` beside it",
               {.form = Form::srgb_texture}),
+        field("transmission_texture", &M::transmission_texture, "red multiplies `transmission`",
+              {.form = Form::linear_texture}),
         field("normal_texture", &M::normal_texture, "normals in tangent space, +Y up",
               {.form = Form::linear_texture}),
         field("normal_scale", &M::normal_scale, "of the normal texture's x and y"),

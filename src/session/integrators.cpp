@@ -23,7 +23,8 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
     switch (context.options.integrator) {
     case IntegratorKind::path:
         return std::make_unique<WaveIntegrator>(context, [&](RenderBuffers&) {
-            return std::make_unique<PathEstimator>(context.options);
+            return std::make_unique<PathEstimator>(context.scene.packed().features,
+                                                   context.options);
         });
     case IntegratorKind::whitted:
         return make_whitted(context);
@@ -48,7 +49,7 @@ MemoryPlan plan_memory(const Scene& scene, const RenderOptions& options,
     plan_film(buffers.film, options);
     switch (options.integrator) {
     case IntegratorKind::path:
-        plan_engine(buffers, PathEstimator(options).shape(), options);
+        plan_engine(buffers, PathEstimator(material_features(scene), options).shape(), options);
         break;
     case IntegratorKind::whitted:
         plan_whitted(buffers, scene, options);

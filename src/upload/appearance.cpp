@@ -77,12 +77,14 @@ static constexpr uint32_t bit(uint32_t index) {
     return 1u << index;
 }
 
-static constexpr uint32_t MIRRORING_LOBES = bit(LOBE_GLOSSY) | bit(LOBE_DIELECTRIC);
 static constexpr uint32_t LAYERED_LOBES = bit(LOBE_GLOSSY) | bit(LOBE_DIFFUSE);
 
-/// Textures only lower the roughness.
-static bool may_be_rough(const Material& m) {
-    return m.roughness * m.roughness >= SMOOTH_ALPHA;
+static bool is_rough_alpha(float roughness) {
+    return roughness * roughness >= SMOOTH_ALPHA;
+}
+
+static uint32_t clear_lobe(const Material& m) {
+    return bit(m.thin_walled ? LOBE_THIN : LOBE_DIELECTRIC);
 }
 
 uint32_t lobes_of(const Material& m) {
@@ -90,11 +92,11 @@ uint32_t lobes_of(const Material& m) {
     case MaterialKind::diffuse:
         return bit(LOBE_DIFFUSE);
     case MaterialKind::conductor: // what meets several microfacets leaves evenly
-        return bit(LOBE_GLOSSY) | (may_be_rough(m) ? bit(LOBE_DIFFUSE) : 0);
+        return bit(LOBE_GLOSSY) | (is_rough_alpha(m.roughness) ? bit(LOBE_DIFFUSE) : 0);
     case MaterialKind::dielectric:
-        return bit(LOBE_DIELECTRIC);
+        return clear_lobe(m);
     case MaterialKind::metallic_roughness:
-        return bit(LOBE_DIFFUSE) | bit(LOBE_GLOSSY);
+        return LAYERED_LOBES | (m.transmission > 0 ? clear_lobe(m) : 0);
     case MaterialKind::unlit:
     case MaterialKind::phong: // path_material() has made something else of it
         break;
@@ -102,12 +104,29 @@ uint32_t lobes_of(const Material& m) {
     return 0;
 }
 
-bool has_layers(const Material& m) {
-    return (lobes_of(m) & LAYERED_LOBES) == LAYERED_LOBES;
+MaterialFeatures features_of(const Material& m) {
+    const uint32_t lobes = lobes_of(m);
+    const bool mixed = m.kind == MaterialKind::metallic_roughness;
+    const bool solid = lobes & bit(LOBE_DIELECTRIC), thin = lobes & bit(LOBE_THIN);
+    // Textures only lower the roughness.
+    const bool may_be_rough = is_rough_alpha(m.roughness);
+    const bool may_be_smooth = !may_be_rough || m.metallic_roughness_texture != NO_TEXTURE;
+    MaterialFeatures features{};
+    features.rough = may_be_rough && (lobes & ~bit(LOBE_DIFFUSE));
+    features.layered = (lobes & LAYERED_LOBES) == LAYERED_LOBES || thin;
+    features.index = mixed && m.ior != 1.5f;
+    features.transmission = mixed && m.transmission > 0;
+    features.absorption = solid && m.attenuation_distance && m.attenuation_color != glm::vec3(1);
+    features.pane = thin && may_be_smooth;
+    features.unbent = solid && may_be_smooth && m.shadows == GlassShadows::straight;
+    return features;
 }
 
-bool is_rough(const Material& m) {
-    return (lobes_of(m) & MIRRORING_LOBES) && may_be_rough(m);
+/// Halvings per unit of length, in the solid.
+static glm::vec3 absorption_of(const Material& m) {
+    if (!features_of(m).absorption) return glm::vec3(0);
+    // Black would be infinite; what is left of it after the distance is nothing to be seen.
+    return -glm::log2(glm::max(m.attenuation_color, 1e-6f)) / *m.attenuation_distance;
 }
 
 PackedMaterials pack_materials(const Scene& scene) {
@@ -126,13 +145,17 @@ PackedMaterials pack_materials(const Scene& scene) {
         MaterialRecord record{};
         record.kind = uint32_t(m.kind);
         record.lobes = lobes_of(m);
-        if (is_rough(m) || has_layers(m)) albedos.reflection();
-        if (is_rough(m) && record.lobes & bit(LOBE_DIELECTRIC))
+        const MaterialFeatures features = features_of(m);
+        if (features.layered) albedos.reflection();
+        if (features.rough && record.lobes & bit(LOBE_DIELECTRIC))
             record.albedos = albedos.glass(m.ior);
+        record.blocks = m.shadows == GlassShadows::opaque;
+        copy(record.absorption, absorption_of(m));
         record.two_sided = m.two_sided;
         record.alpha_mode = alpha_modes.of(i);
         record.group = groups(m.group);
-        record.double_sided = m.double_sided || m.kind == MaterialKind::dielectric;
+        record.double_sided =
+            m.double_sided || record.lobes & (bit(LOBE_DIELECTRIC) | bit(LOBE_THIN));
 #define ONDE_COLOR(name) copy(record.name, m.name);
         MATERIAL_COLORS(ONDE_COLOR)
 #undef ONDE_COLOR

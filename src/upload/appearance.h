@@ -12,11 +12,17 @@ namespace onde {
 /// The lobes of kernels/shared/scene.h that a material has, as bits.
 uint32_t lobes_of(const Material& material);
 
-/// Whether it has microfacets: it reflects or refracts by others than smooth boundaries.
-bool is_rough(const Material& material);
-
-/// Whether it scatters below a coat or between microfacets.
-bool has_layers(const Material& material);
+/// What a material asks of kernels; see SCENE_FEATURES.
+struct MaterialFeatures {
+    bool rough;        ///< it reflects or refracts by microfacets
+    bool layered;      ///< it scatters below a coat or between microfacets
+    bool index;        ///< its coat's is not 1.5
+    bool transmission; ///< its body is clear in part
+    bool absorption;
+    bool pane;   ///< light goes straight through it, as it is thin and may be smooth
+    bool unbent; ///< likewise, though it is solid: light that no other way finds
+};
+MaterialFeatures features_of(const Material& material);
 
 struct PackedMaterials {
     std::vector<MaterialRecord> records;

@@ -9,6 +9,7 @@ constexpr uint32_t bit(uint32_t index) {
 
 constexpr uint32_t ROOM_KINDS =
     bit(MATERIAL_DIFFUSE) | bit(MATERIAL_CONDUCTOR) | bit(MATERIAL_DIELECTRIC);
+constexpr uint32_t ROOM_LOBES = bit(LOBE_DIFFUSE) | bit(LOBE_GLOSSY) | bit(LOBE_DIELECTRIC);
 constexpr uint32_t GLTF_LOBES = bit(LOBE_DIFFUSE) | bit(LOBE_GLOSSY);
 
 } // namespace
@@ -26,6 +27,11 @@ SceneFeatures model_features() {
             .ground = true,
             .rough = true,
             .albedos = true,
+            .indices = true,
+            .transmission = true,
+            .absorption = true,
+            .panes = true,
+            .unbent = true,
             .lobes = ALL_LOBES,
             .kinds = ROOM_KINDS | bit(MATERIAL_METALLIC_ROUGHNESS) | bit(MATERIAL_UNLIT),
             .lights = bit(LIGHT_TRIANGLE) | bit(LIGHT_POINT) | bit(LIGHT_SPOT) |
@@ -35,7 +41,7 @@ SceneFeatures model_features() {
 
 std::vector<CommonFeatures> common_features() {
     const SceneFeatures room{.spheres = true,
-                             .lobes = ALL_LOBES,
+                             .lobes = ROOM_LOBES,
                              .kinds = ROOM_KINDS,
                              .lights = bit(LIGHT_TRIANGLE),
                              .stack_size = 64};
@@ -44,7 +50,7 @@ std::vector<CommonFeatures> common_features() {
                                .environment = true,
                                .rough = true,
                                .albedos = true,
-                               .lobes = ALL_LOBES,
+                               .lobes = ROOM_LOBES,
                                .kinds = ROOM_KINDS,
                                .lights = bit(LIGHT_DISK) | bit(LIGHT_ENVIRONMENT),
                                .stack_size = 64};

@@ -35,6 +35,11 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(bool, ground, false, GROUND, either)   /* a plane takes the scene's shadow */          \
     FEATURE(bool, rough, false, ROUGH, either)     /* some surface has microfacets */              \
     FEATURE(bool, albedos, false, ALBEDOS, either) /* some scatters below or between them */       \
+    FEATURE(bool, indices, false, INDICES, either) /* of coats other than 1.5 */                   \
+    FEATURE(bool, transmission, false, TRANSMISSION, either) /* some coat's body is clear */       \
+    FEATURE(bool, absorption, false, ABSORPTION, either)     /* in some solid */                   \
+    FEATURE(bool, panes, false, PANES, either)   /* light goes straight through some thin wall */  \
+    FEATURE(bool, unbent, false, UNBENT, either) /* or through solid glass, for want of others */  \
     FEATURE(uint32_t, lobes, 0, LOBES, either)     /* bits by LOBE_..., of some material */        \
     FEATURE(uint32_t, common_lobes, 0, COMMON_LOBES, shared) /* and of all */                      \
     FEATURE(uint32_t, kinds, 0, KINDS, either)               /* bits by MATERIAL_... */            \

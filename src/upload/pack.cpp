@@ -15,7 +15,7 @@
 namespace onde {
 
 std::vector<std::string> SceneFeatures::defines() const {
-    std::vector<std::string> all{fmt::format("ONDE_PASSING={:d}", alpha || culling)};
+    std::vector<std::string> all{fmt::format("ONDE_PASSING={:d}", alpha || culling || panes || unbent)};
 #define ONDE_DEFINE(Type, name, initial, NAME, join)                                               \
     all.push_back(fmt::format("ONDE_" #NAME "={:d}", name));
     SCENE_FEATURES(ONDE_DEFINE)
@@ -23,8 +23,29 @@ std::vector<std::string> SceneFeatures::defines() const {
     return all;
 }
 
-static SceneFeatures find_features(const Scene& scene, const PackedScene& packed) {
+SceneFeatures material_features(const Scene& scene) {
     SceneFeatures features;
+    for (uint32_t i = 0; i < scene.materials.size(); i++) {
+        const Material material = path_material(scene, i);
+        const MaterialFeatures own = features_of(material);
+        features.normal_maps |= material.normal_texture != NO_TEXTURE;
+        features.kinds |= 1u << uint32_t(material.kind);
+        features.rough |= own.rough;
+        features.albedos |= own.layered;
+        features.indices |= own.index;
+        features.transmission |= own.transmission;
+        features.absorption |= own.absorption;
+        features.panes |= own.pane;
+        features.unbent |= own.unbent;
+    }
+    const bool has_delta_lights = !scene.point_lights.empty() || !scene.spot_lights.empty() ||
+                                  !scene.directional_lights.empty();
+    features.unbent &= has_delta_lights;
+    return features;
+}
+
+static SceneFeatures find_features(const Scene& scene, const PackedScene& packed) {
+    SceneFeatures features = material_features(scene);
     features.instances = packed.bvh.has_instances;
     features.watertight = packed.bvh.watertight;
     features.layout = packed.bvh.layout;
@@ -32,13 +53,6 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.shapes = !scene.shapes.empty();
     features.curved = !packed.bulges.empty();
     features.textures = !scene.textures.empty();
-    for (uint32_t i = 0; i < scene.materials.size(); i++) {
-        features.normal_maps |= scene.materials[i].normal_texture != NO_TEXTURE;
-        const Material material = path_material(scene, i);
-        features.kinds |= 1u << uint32_t(material.kind);
-        features.rough |= is_rough(material);
-        features.albedos |= has_layers(material);
-    }
     features.uv_sets = uint32_t(used_uv_sets(scene).size());
     for (const Texture& texture : scene.textures) {
         features.texture_transforms |= texture.transform != UvTransform{};

@@ -47,6 +47,9 @@ struct PackedScene : SceneArrays {
 /// The scene must satisfy check_scene().
 PackedScene pack_scene(const Scene& scene, const BvhOptions& options = {});
 
+/// What of a scene's features its materials and lights decide.
+SceneFeatures material_features(const Scene& scene);
+
 /// The box of a scene with an orthographic camera; nothing for any other.
 std::optional<Extent> bounds_for_parallel_rays(const Scene& scene);
 

@@ -12,6 +12,9 @@ typedef struct {
     real3 tint; // of what goes through
     real alpha;
     real eta; // index below over index above
+#if ONDE_TRANSMISSION
+    real share; // of the surface that is clear
+#endif
 #if ONDE_ROUGH
     AlbedoRow row;
     mask front;      // whether the directions above lie outside
@@ -64,13 +67,23 @@ INLINE DielectricLobe dielectric_load(SceneView view, MaterialPoint m) {
     const real ior = RECORD(view.materials, m.material, MaterialRecord, ior);
     lobe.alpha = choose(fabs(ior - 1.0f) < EQUAL_INDICES, (real)(0.0f), m.alpha);
     lobe.eta = choose(m.front, ior, 1.0f / ior);
+#if ONDE_TRANSMISSION
+    lobe.share = clear_share(m);
+#endif
 #if ONDE_ROUGH
     lobe = dielectric_losses(view, m, lobe);
 #endif
     return lobe;
 }
-INLINE real dielectric_weight(DielectricLobe lobe, MaterialPoint m) {
+INLINE real dielectric_share(DielectricLobe lobe) {
+#if ONDE_TRANSMISSION
+    return lobe.share;
+#else
     return (real)(1.0f);
+#endif
+}
+INLINE real dielectric_weight(DielectricLobe lobe, MaterialPoint m) {
+    return dielectric_share(lobe);
 }
 
 // Refracts wo about h (dot(wo, h) >= 0); meaningless under total internal reflection.
@@ -144,7 +157,8 @@ INLINE LobeValue dielectric_eval(DielectricLobe lobe, real3 wo, real3 wi, mask l
     const real pdf = choose(b.below, (1.0f - b.fresnel) * visible * b.jacobian, mirrored);
     v.pdf = choose(possible, pdf, v.pdf);
     v = dielectric_regained(lobe, wi, v, b.below);
-    v.tint = choose(rough, v.tint, zero3());
+    v.tint = choose(rough, scale3(v.tint, dielectric_share(lobe)), zero3());
+    v.value = choose(rough, v.value, zero3());
     v.pdf = choose(rough, v.pdf, (real)(0.0f));
 #endif
     return v;
@@ -167,7 +181,7 @@ INLINE LobeSample dielectric_sample(DielectricLobe lobe, real3 wo, real choice, 
     const mask refracted = choice >= fresnel;
     s.wi = choose(refracted, refract_about(wo, h, lobe.eta), reflect_about(wo, h));
     const real3 tint = scale3(lobe.tint, 1.0f / (lobe.eta * lobe.eta));
-    s.weight = choose(refracted, tint, splat3((real)(1.0f)));
+    s.weight = scale3(choose(refracted, tint, splat3((real)(1.0f))), dielectric_share(lobe));
     s.valid = choose(refracted, -s.wi.z, s.wi.z) > 0.0f;
 #if ONDE_ROUGH
     if_any (even) {

@@ -43,11 +43,11 @@ INLINE DiffuseLobe diffuse_layered(SceneView view, MaterialPoint m, DiffuseLobe 
     const real metallic = choose(coated, m.metallic, one);
     lobe.row = m.row;
     lobe.albedos = view.albedos;
-    lobe.coat = choose(coated, (real)(DIELECTRIC_F0), zero);
+    lobe.coat = choose(coated, coat_f0(view, m), zero);
     lobe.f90 = choose(coated, one, zero);
     const real entering = 1.0f - schlick_albedo(m.albedo, lobe.coat, lobe.f90);
     const real spread = 1.0f - schlick_albedo(mean, lobe.coat, lobe.f90);
-    const real3 body = scale3(m.color, 1.0f - metallic);
+    const real3 body = scale3(m.color, choose(coated, opaque_share(m, metallic), zero));
     const real lost = 1.0f - m.albedo.white;
     const real3 back =
         scale3(make3(regained(m.color.x, mean.white), regained(m.color.y, mean.white),

@@ -16,11 +16,28 @@ typedef struct {
     real alpha;
 } GlossyLobe;
 
+// The reflectance of the coat at normal incidence.
+INLINE real coat_f0(SceneView view, MaterialPoint m) {
+#if ONDE_INDICES
+    const real ior = RECORD(view.materials, m.material, MaterialRecord, ior);
+    return square((ior - 1.0f) / (ior + 1.0f));
+#else
+    return (real)(DIELECTRIC_F0);
+#endif
+}
+
 INLINE GlossyLobe glossy_load(SceneView view, MaterialPoint m) {
     const real metallic = choose(is_of_kind(m, MATERIAL_CONDUCTOR), (real)(1.0f), m.metallic);
+    const real coat = coat_f0(view, m);
     GlossyLobe lobe;
-    lobe.f0 = mix3(splat3((real)(DIELECTRIC_F0)), m.color, metallic);
+#if ONDE_TRANSMISSION // the clear part has its own reflection
+    const real opaque = choose(metallic < 1.0f, opaque_share(m, metallic), (real)(0.0f));
+    lobe.f0 = madd3(m.color, metallic, splat3(coat * opaque));
+    lobe.f90 = metallic + opaque;
+#else
+    lobe.f0 = mix3(splat3(coat), m.color, metallic);
     lobe.f90 = (real)(1.0f);
+#endif
     lobe.alpha = m.alpha;
     return lobe;
 }

@@ -22,6 +22,9 @@ typedef struct {
     real3 color;
     real alpha; // roughness^2
     real metallic;
+#if ONDE_TRANSMISSION
+    real transmission; // the share of the dielectric half's body that is clear
+#endif
     mask front;  // whether its front is seen
     real cosine; // of the view direction and the shading normal, > 0
 #if ONDE_ALBEDOS
@@ -33,6 +36,24 @@ typedef struct {
 // Whether it is of a kind; the answer is known where no material of the scene is.
 INLINE mask is_of_kind(MaterialPoint m, uint kind) {
     return ONDE_KINDS >> kind & 1u ? m.kind == kind : m.kind != m.kind;
+}
+
+// The share of a surface that has a clear body.
+INLINE real clear_share(MaterialPoint m) {
+#if ONDE_TRANSMISSION
+    const mask mixed = is_of_kind(m, MATERIAL_METALLIC_ROUGHNESS);
+    return choose(mixed, m.transmission * (1.0f - m.metallic), (real)(1.0f));
+#else
+    return (real)(1.0f);
+#endif
+}
+// Of a mix of dielectric and metal the part that is dielectric, but not clear.
+INLINE real opaque_share(MaterialPoint m, real metallic) {
+#if ONDE_TRANSMISSION
+    return (1.0f - metallic) * (1.0f - m.transmission);
+#else
+    return 1.0f - metallic;
+#endif
 }
 
 // BSDF times cosine is the product of tint and value; the sum of lobes rounds once.

@@ -24,19 +24,27 @@ void apply_emissive_strength(const JsonReader& source, Material& material) {
     material.emission *= float(std::max(0.0, number_in(extended, "emissiveStrength", 1.0)));
 }
 
-/// Clear glass is a dielectric; what else transmits stays opaque.
-void apply_transmission(File& file, const JsonReader& source, Material& material) {
-    const auto extended = source.extension("KHR_materials_transmission");
-    const double factor = number_in(extended, "transmissionFactor", 0.0);
-    if (factor <= 0.0) return;
-    if (extended->has("transmissionTexture") || factor <= 0.5) {
-        file.notes.add("Partial transmission is rendered opaque", material.name);
-        return;
-    }
+void apply_ior(const JsonReader& source, Material& material) {
     const double ior = number_in(source.extension("KHR_materials_ior"), "ior", 1.5);
-    material.kind = MaterialKind::dielectric;
-    material.ior = float(std::clamp(ior, 0.01, 100.0));
-    file.notes.add("Transmission is rendered as solid glass", material.name);
+    // 0 stands for an index without end: all is reflected.
+    material.ior = ior == 0.0 ? 100.0f : float(std::clamp(ior, 1.0, 100.0));
+}
+
+/// A surface that transmits without a volume behind it is a sheet (KHR_materials_volume).
+void apply_transmission(TextureLoader& textures, const JsonReader& source, const std::string& user,
+                        Material& material) {
+    const auto extended = source.extension("KHR_materials_transmission");
+    material.transmission = unit(number_in(extended, "transmissionFactor", 0.0));
+    if (material.transmission > 0.0f)
+        material.transmission_texture =
+            textures.load(extended, "transmissionTexture", false, user);
+    const auto volume = source.extension("KHR_materials_volume");
+    material.thin_walled = !(number_in(volume, "thicknessFactor", 0.0) > 0.0);
+    if (!volume || material.thin_walled) return;
+    if (const auto color = volume->vector<3>("attenuationColor"))
+        material.attenuation_color = glm::clamp(rgb(*color), 0.0f, 1.0f);
+    const double distance = volume->number("attenuationDistance", 0.0);
+    if (distance > 0.0) material.attenuation_distance = float(std::max(distance, 1e-30));
 }
 
 void apply_metallic_roughness(TextureLoader& textures, const JsonReader& source,
@@ -88,7 +96,8 @@ Material convert(File& file, TextureLoader& textures, OldMaterials& old_material
         return material;
     }
     apply_emissive_strength(source, material);
-    apply_transmission(file, source, material);
+    apply_ior(source, material);
+    apply_transmission(textures, source, user, material);
     return material;
 }
 

@@ -15,10 +15,13 @@ struct Surface {
     bool front = true;
     uint32_t index = 0; ///< among the materials of its Bsdfs
 
-    bool is_glass() const { return material.kind == MaterialKind::dielectric; }
+    bool is_glass() const { return lobes_of(material) & (1u << LOBE_DIELECTRIC | 1u << LOBE_THIN); }
     double alpha() const { return double(material.roughness) * double(material.roughness); }
     /// The index below over that above.
-    double eta() const { return front ? double(material.ior) : 1 / double(material.ior); }
+    double eta() const {
+        if (material.thin_walled) return 1;
+        return front ? double(material.ior) : 1 / double(material.ior);
+    }
 };
 
 inline Surface surface_of(MaterialKind kind, float alpha, glm::vec3 color) {
@@ -47,6 +50,22 @@ inline Surface glass(float alpha, float ior, bool front = true) {
     surface.name += fmt::format(" {} from {}", ior, front ? "outside" : "inside");
     surface.material.ior = ior;
     surface.front = front;
+    return surface;
+}
+
+/// A mix of which a part is clear, thin or solid.
+inline Surface clear_mix(float alpha, float metallic, float transmission, bool thin,
+                         glm::vec3 color = glm::vec3(1)) {
+    Surface surface = mix(alpha, metallic, color);
+    surface.name += fmt::format(", {} clear, {}", transmission, thin ? "thin" : "solid");
+    surface.material.transmission = transmission;
+    surface.material.thin_walled = thin;
+    return surface;
+}
+inline Surface pane(float alpha, float ior = 1.5f) {
+    Surface surface = glass(alpha, ior);
+    surface.name += ", thin";
+    surface.material.thin_walled = true;
     return surface;
 }
 

@@ -153,6 +153,12 @@ TEST_CASE("a white surface that absorbs nothing returns all light, however rough
         surfaces.push_back(conductor(alpha));
         for (const float metallic : {0.0f, 0.4f, 1.0f})
             surfaces.push_back(mix(alpha, metallic, WHITE));
+        surfaces.push_back(pane(alpha));
+        for (const float metallic : {0.0f, 0.4f})
+            for (const bool thin : {false, true}) {
+                surfaces.push_back(clear_mix(alpha, metallic, 1.0f, thin));
+                surfaces.push_back(clear_mix(alpha, metallic, 0.4f, thin));
+            }
         for (const float ior : {1.1f, 1.5f, 2.4f, 0.7f})
             for (const bool front : {true, false}) surfaces.push_back(glass(alpha, ior, front));
     }

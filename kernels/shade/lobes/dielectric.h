@@ -35,14 +35,6 @@ INLINE real2 dielectric_lost(DielectricLobe lobe, real2 albedos) {
     return make2(choose(lobe.front, outside, inside), choose(lobe.front, inside, outside));
 }
 
-// The share of diffuse light that a boundary lets through; a fit by d'Eon and Irving, "A Quantized-
-// Diffusion Model for Rendering Translucent Materials", 2011. Reciprocal.
-INLINE real mean_transmission(real eta) {
-    const real thin = max_real(eta, 1.0f / eta);
-    const real from_outside = 1.0f - (thin - 1.0f) / fma((real)(1.00071f), thin, (real)(4.08567f));
-    return choose(eta < 1.0f, from_outside / (thin * thin), from_outside);
-}
-
 INLINE DielectricLobe dielectric_losses(SceneView view, MaterialPoint m, DielectricLobe lobe) {
     const natural table = RECORD_NATURAL(view.materials, m.material, MaterialRecord, albedos);
     lobe.row = albedo_row(table, lobe.alpha);

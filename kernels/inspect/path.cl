@@ -32,8 +32,9 @@ INLINE void explain_bounce(SceneView view, Path path, Hits hit, Sampler sampler,
     report->light_pdf = 0.0f;
     if (!found) return;
     const Basis basis = make_basis(s.normal);
-    const real cosine = max_real(to_local(basis, negate3(path.direction)).z, (real)(1e-4f));
-    const Bsdf b = material_bsdf(view, s, cosine);
+    real3 wo = to_local(basis, negate3(path.direction));
+    wo.z = max_real(wo.z, (real)(1e-4f));
+    const Bsdf b = material_bsdf(view, s, basis, wo);
     report_bsdf(report, b);
     if (view.frame->light_count == 0) return;
     const real choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x;

@@ -8,6 +8,7 @@
 #ifndef ONDE_LIGHT_TRACING_LIGHT_TRACING_H
 #define ONDE_LIGHT_TRACING_LIGHT_TRACING_H
 
+#define ONDE_ADJOINT 1
 #include "light_tracing/connection.h"
 #include "shade/light.h"
 #include "shade/passing.h"
@@ -167,7 +168,7 @@ OUTLINED LightVertex light_vertex(SceneView view, LightPath path, Hits hit, Samp
     v.basis = make_basis(v.surface.normal);
     v.wo = to_local(v.basis, negate3(path.direction));
     v.wo.z = max_real(v.wo.z, (real)(1e-4f));
-    v.bsdf = material_bsdf(view, v.surface, v.wo.z);
+    v.bsdf = material_bsdf(view, v.surface, v.basis, v.wo);
     result.connection = connect_surface(view, path, v, sampler, vertex, found);
     if (vertex + 1 >= view.frame->max_depth) {
         result.alive = found & !found;

@@ -250,7 +250,7 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     v.basis = make_basis(v.surface.normal);
     v.wo = to_local(v.basis, negate3(path.direction));
     v.wo.z = max_real(v.wo.z, (real)(1e-4f));
-    v.bsdf = material_bsdf(view, v.surface, v.wo.z);
+    v.bsdf = material_bsdf(view, v.surface, v.basis, v.wo);
 #if ONDE_TRAIL
     const mask mirror = bsdf_is_mirror(v.bsdf);
     path_guide(view, path, v, found & !mirror & (path.mirrored != 0u), &result);

@@ -11,7 +11,11 @@ INLINE Bsdf input_bsdf(SceneView view, Items items) {
     s.front = input_mask(items, 1);
     s.uv = same_in_all_sets(make2((real)(0.0f), (real)(0.0f)));
     s.tint = splat3((real)(1.0f));
-    return material_bsdf(view, s, input(items, 4));
+    const Basis basis = make_basis(make3((real)(0.0f), (real)(0.0f), (real)(1.0f)));
+#if ONDE_NORMAL_MAPS
+    s.coat_normal = basis.n;
+#endif
+    return material_bsdf(view, s, basis, input3(items, 2));
 }
 
 // In: BSDF, wi (3). Out: value times cosine (3), pdf.
@@ -37,7 +41,7 @@ SCENE_PROBE(bsdf_sample) {
 SCENE_PROBE(bsdf_lobes) {
     const Bsdf b = input_bsdf(view, items);
 #define OUTPUT_LOBE(NAME, name, Type, transmits)                                                   \
-    output(items, LOBE_##NAME, b.probability.name);                                                \
-    output_mask(items, LOBE_COUNT + LOBE_##NAME, b.has.name);
+    output(items, LOBE_##NAME, HAS_LOBE(NAME) ? b.probability.name : (real)(0.0f));                \
+    output_mask(items, LOBE_COUNT + LOBE_##NAME, HAS_LOBE(NAME) ? b.has.name : (mask)(0));
     LOBES(OUTPUT_LOBE)
 }

@@ -4,14 +4,25 @@
 #define ONDE_SHADE_BSDF_H
 
 #include "math/random.h"
+#include "shade/lobes/behind.h"
+#include "shade/lobes/coat.h"
 #include "shade/lobes/dielectric.h"
 #include "shade/lobes/diffuse.h"
 #include "shade/lobes/glossy.h"
+#include "shade/lobes/sheen.h"
 #include "shade/lobes/thin.h"
 
 // Whether some material of the scene has a lobe, and whether all have it.
 #define HAS_LOBE(NAME) (ONDE_LOBES >> LOBE_##NAME & 1u)
 #define ALL_HAVE_LOBE(NAME) (ONDE_COMMON_LOBES >> LOBE_##NAME & 1u)
+
+// Whether something may lie on top of other lobes.
+#define HAS_LAYERS (HAS_LOBE(COAT) || HAS_LOBE(SHEEN))
+
+// Whether directions are exchanged: light that goes from wo to wi.
+#ifndef ONDE_ADJOINT
+    #define ONDE_ADJOINT 0
+#endif
 
 // The probability of a lobe that a material has is no smaller.
 #define LEAST_LOBE_PROBABILITY 0.02f
@@ -31,7 +42,24 @@ typedef struct {
     LobeMasks has;
     LobeNumbers probability; // of choosing a lobe
     LobeNumbers reach;       // and of choosing it or one that LOBES has after it
+    LobeNumbers through;     // the layers on top of it, toward wo
 } Bsdf;
+
+// What layers leave to those below of light along w. As light is scattered between them the sum
+// keeps its energy, though not its reciprocity.
+INLINE LobeNumbers layers_through(Bsdf b, real3 w) {
+    real left = (real)(1.0f);
+    LobeNumbers through;
+#define PASS_LAYER(NAME, name, Type, transmits)                                                    \
+    through.name = left;                                                                           \
+    if (LOBE_##NAME == LOBE_COAT && HAS_LOBE(COAT))                                                \
+        left = choose(b.has.coat, left * (1.0f - coat_albedo(b.coat, w)), left);                   \
+    if (LOBE_##NAME == LOBE_SHEEN && HAS_LOBE(SHEEN))                                              \
+        left = choose(b.has.sheen, left * (1.0f - sheen_albedo(b.sheen, w)), left);
+    LOBES(PASS_LAYER)
+#undef PASS_LAYER
+    return through;
+}
 
 typedef struct {
     real3 value; // BSDF times cosine
@@ -97,6 +125,12 @@ INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m) {
     }
     LOBES(LOAD_LOBE)
 #undef LOAD_LOBE
+    if (HAS_LAYERS) {
+        b.through = layers_through(b, m.wo);
+#define DIM_LOBE(NAME, name, Type, transmits) weight.name *= b.through.name;
+        LOBES(DIM_LOBE)
+#undef DIM_LOBE
+    }
     const LobeSum all = lobes_from(0, there, weight);
 #define CHOOSE_LOBE(NAME, name, Type, transmits)                                                   \
     if (HAS_LOBE(NAME)) {                                                                          \
@@ -121,11 +155,13 @@ INLINE BsdfValue bsdf_eval(Bsdf b, real3 wo, real3 wi) {
     BsdfValue v;
     v.value = zero3();
     v.pdf = (real)(0.0f);
+    if (HAS_LAYERS && ONDE_ADJOINT) b.through = layers_through(b, wi);
 #define EVAL_LOBE(NAME, name, Type, transmits)                                                     \
     if (HAS_LOBE(NAME)) {                                                                          \
         if_any (b.has.name) {                                                                      \
             const LobeValue lobe = name##_eval(b.name, wo, wi, b.has.name);                        \
-            v.value = fma3(lobe.tint, lobe.value, v.value);                                        \
+            const real3 tint = HAS_LAYERS ? scale3(lobe.tint, b.through.name) : lobe.tint;         \
+            v.value = fma3(tint, lobe.value, v.value);                                             \
             v.pdf = fma(b.probability.name, lobe.pdf, v.pdf);                                      \
         }                                                                                          \
     }
@@ -151,7 +187,7 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     LobeSample lobe;
     lobe.wi = lobe.weight = zero3();
     lobe.delta = lobe.valid = choice < 0.0f;
-    real probability = (real)(1.0f);
+    real probability = (real)(1.0f), through = (real)(1.0f);
 #define SAMPLE_LOBE(NAME, name, Type, transmits)                                                   \
     if (HAS_LOBE(NAME)) {                                                                          \
         const mask chosen = (choice < b.reach.name) & (b.probability.name > 0.0f);                 \
@@ -160,6 +196,10 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
             if (transmits) own = rest_of_choice(choice, b.reach.name, b.probability.name);         \
             lobe = choose(chosen, name##_sample(b.name, wo, own, u), lobe);                        \
             probability = choose(chosen, b.probability.name, probability);                         \
+            if (HAS_LAYERS) {                                                                      \
+                if (ONDE_ADJOINT) b.through = layers_through(b, lobe.wi);                          \
+                through = choose(chosen, b.through.name, through);                                 \
+            }                                                                                      \
         }                                                                                          \
     }
     LOBES(SAMPLE_LOBE)
@@ -170,7 +210,7 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     s.delta = lobe.delta;
     s.weight = scale3(v.value, 1.0f / max_real(v.pdf, (real)(1e-30f)));
     if_any (lobe.delta) {
-        const real inverse = 1.0f / max_real(probability, (real)(1e-9f));
+        const real inverse = through / max_real(probability, (real)(1e-9f));
         s.weight = choose(lobe.delta, scale3(lobe.weight, inverse), s.weight);
     }
     s.pdf = choose(lobe.delta, (real)(0.0f), v.pdf);
@@ -209,7 +249,8 @@ INLINE mask bsdf_is_mirror(Bsdf b) {
 // The diffuse share of bsdf_eval's `value`.
 INLINE real3 bsdf_diffuse_share(Bsdf b, real3 wo, real3 wi, real3 value) {
     if (!HAS_LOBE(DIFFUSE)) return zero3();
-    const real3 own = diffuse_body(b.diffuse, wi, b.has.diffuse);
+    real3 own = diffuse_body(b.diffuse, wi, b.has.diffuse);
+    if (HAS_LAYERS) own = scale3(own, b.through.diffuse);
     return make3(share_of(own.x, value.x), share_of(own.y, value.y), share_of(own.z, value.z));
 }
 

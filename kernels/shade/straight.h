@@ -23,7 +23,8 @@ INLINE real3 straight_transmittance(SceneView view, real3 origin, real3 directio
                                     mask unbent, real before, mask lanes) {
     const Surface s = surface_at(view, origin, direction, hits, lanes);
     const real cosine = clamp_real(-dot3(direction, s.normal), 1e-4f, 1.0f);
-    const MaterialPoint m = material_point(view, s, cosine);
+    const real3 wo = make3(safe_sqrt(1.0f - cosine * cosine), (real)(0.0f), cosine);
+    const MaterialPoint m = material_point(view, s, wo);
     const natural lobes = RECORD_NATURAL(view.materials, s.material, MaterialRecord, lobes);
     mask clear = lanes & (m.alpha < SMOOTH_ALPHA);
     mask thin = lanes & !lanes;

@@ -10,6 +10,7 @@
 #define ALBEDO_COLUMNS 32u
 #define ALBEDO_MEANS (ALBEDO_ROWS * ALBEDO_COLUMNS)
 #define ALBEDO_TABLE (ALBEDO_MEANS + ALBEDO_ROWS) // words
+#define SHEEN_TABLE ALBEDO_TABLE                  // its first word; that of reflection is at 0
 
 // Albedos of small alpha change where cosines are as small: where a direction lies in its row,
 // from 0 to 1.
@@ -19,6 +20,7 @@
 // Reflection, the first table: the albedo of a white surface; and of it the share of Schlick's
 // weight, less that weight of the direction itself, from -1 to 1. As means the albedo, and the part
 // of Schlick's weight.
+// Sheen, the second table: of white fibres; nothing.
 // Glass: from outside; from inside.
 
 #endif

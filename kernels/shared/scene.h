@@ -16,10 +16,13 @@
 
 // The lobes that a BSDF is the sum of, each once: LOBE(NAME, name, Type, transmits). `name` has a
 // file kernels/shade/lobes/name.h with its Type; `transmits` says whether light may pass the
-// surface. Which ones a material has is told by lobes_of() in src/upload/appearance.h; what no
+// surface. What lies on top comes first. Which ones a material has is told by lobes_of() in src/upload/appearance.h; what no
 // material of a scene has is not compiled.
 #define LOBES(LOBE)                                                                                \
+    LOBE(COAT, coat, CoatLobe, 0)                                                                  \
+    LOBE(SHEEN, sheen, SheenLobe, 0)                                                               \
     LOBE(DIFFUSE, diffuse, DiffuseLobe, 0)                                                         \
+    LOBE(BEHIND, behind, BehindLobe, 1)                                                            \
     LOBE(GLOSSY, glossy, GlossyLobe, 0)                                                            \
     LOBE(DIELECTRIC, dielectric, DielectricLobe, 1)                                                \
     LOBE(THIN, thin, ThinLobe, 1)
@@ -31,15 +34,41 @@ enum { LOBES(LOBE_INDEX) LOBE_COUNT };
 
 // What the kernels know of a material, each once, by the names of onde::Material's members:
 // colours, numbers, textures (SLOT(NAME, name) stands for name_texture).
-#define MATERIAL_COLORS(COLOR) COLOR(base_color) COLOR(emission)
+#define MATERIAL_COLORS(COLOR)                                                                     \
+    COLOR(base_color)                                                                              \
+    COLOR(emission) COLOR(specular_color) COLOR(diffuse_transmission_color) COLOR(sheen_color)
 #define MATERIAL_NUMBERS(NUMBER)                                                                   \
     NUMBER(roughness)                                                                              \
-    NUMBER(metallic) NUMBER(ior) NUMBER(transmission) NUMBER(normal_scale) NUMBER(alpha) NUMBER(alpha_cutoff)
+    NUMBER(metallic)                                                                               \
+    NUMBER(ior)                                                                                    \
+    NUMBER(specular)                                                                               \
+    NUMBER(transmission)                                                                           \
+    NUMBER(diffuse_transmission)                                                                   \
+    NUMBER(clearcoat)                                                                              \
+    NUMBER(clearcoat_roughness)                                                                    \
+    NUMBER(clearcoat_normal_scale)                                                                 \
+    NUMBER(sheen_roughness)                                                                        \
+    NUMBER(iridescence)                                                                            \
+    NUMBER(iridescence_ior)                                                                        \
+    NUMBER(iridescence_thickness)                                                                  \
+    NUMBER(iridescence_thickness_minimum)                                                          \
+    NUMBER(normal_scale) NUMBER(alpha) NUMBER(alpha_cutoff)
 #define TEXTURE_SLOTS(SLOT)                                                                        \
     SLOT(BASE_COLOR, base_color)                                                                   \
     SLOT(METALLIC_ROUGHNESS, metallic_roughness)                                                   \
     SLOT(EMISSION, emission)                                                                       \
+    SLOT(SPECULAR, specular)                                                                       \
+    SLOT(SPECULAR_COLOR, specular_color)                                                           \
     SLOT(TRANSMISSION, transmission)                                                               \
+    SLOT(DIFFUSE_TRANSMISSION, diffuse_transmission)                                               \
+    SLOT(DIFFUSE_TRANSMISSION_COLOR, diffuse_transmission_color)                                   \
+    SLOT(CLEARCOAT, clearcoat)                                                                     \
+    SLOT(CLEARCOAT_ROUGHNESS, clearcoat_roughness)                                                 \
+    SLOT(CLEARCOAT_NORMAL, clearcoat_normal)                                                       \
+    SLOT(SHEEN_COLOR, sheen_color)                                                                 \
+    SLOT(SHEEN_ROUGHNESS, sheen_roughness)                                                         \
+    SLOT(IRIDESCENCE, iridescence)                                                                 \
+    SLOT(IRIDESCENCE_THICKNESS, iridescence_thickness)                                             \
     SLOT(NORMAL, normal)
 
 #define TEXTURE_INDEX(NAME, name) TEXTURE_##NAME,

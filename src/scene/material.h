@@ -106,17 +106,41 @@ struct Material {
     float metallic = 0.0f;    ///< metallic_roughness only
     float ior = 1.5f; ///< interior over exterior index; of dielectric, and of the dielectric half of
                       ///< metallic_roughness
+    float specular = 1.0f;           ///< of the reflection of that half
+    glm::vec3 specular_color{1.0f};  ///< the same at normal incidence
     float transmission = 0.0f; ///< share of that half's body that is clear; metallic_roughness only
     bool thin_walled = false;  ///< what lets light through is a sheet: light is not bent
     glm::vec3 attenuation_color{1.0f};   ///< of white light after attenuation_distance inside
     std::optional<float> attenuation_distance{}; ///< in world units; nothing is absorbed without
     GlassShadows shadows = GlassShadows::straight;
+    float diffuse_transmission = 0.0f; ///< share of that half's body that scatters to the far side
+    glm::vec3 diffuse_transmission_color{1.0f};
+    float clearcoat = 0.0f; ///< how much of the surface has a coat of varnish, of index 1.5
+    float clearcoat_roughness = 0.0f;
+    glm::vec3 sheen_color{0.0f}; ///< of fibres that stand on it
+    float sheen_roughness = 0.0f;
+    float iridescence = 0.0f; ///< how much of the surface has a thin film
+    float iridescence_ior = 1.3f;
+    float iridescence_thickness = 400.0f;         ///< nanometres, where its texture is white
+    float iridescence_thickness_minimum = 100.0f; ///< where it is black
     glm::vec3 emission{0.0f}; ///< radiance, from the front face only (both faces if two_sided)
     bool two_sided = true;    ///< whether emission leaves the back face as well
     int32_t base_color_texture = NO_TEXTURE;
     int32_t metallic_roughness_texture = NO_TEXTURE;
     int32_t emission_texture = NO_TEXTURE;
-    int32_t transmission_texture = NO_TEXTURE; ///< red
+    int32_t specular_texture = NO_TEXTURE; ///< alpha
+    int32_t specular_color_texture = NO_TEXTURE;
+    int32_t transmission_texture = NO_TEXTURE;         ///< red
+    int32_t diffuse_transmission_texture = NO_TEXTURE; ///< alpha
+    int32_t diffuse_transmission_color_texture = NO_TEXTURE;
+    int32_t clearcoat_texture = NO_TEXTURE;           ///< red
+    int32_t clearcoat_roughness_texture = NO_TEXTURE; ///< green
+    int32_t clearcoat_normal_texture = NO_TEXTURE;
+    float clearcoat_normal_scale = 1.0f;
+    int32_t sheen_color_texture = NO_TEXTURE;
+    int32_t sheen_roughness_texture = NO_TEXTURE;       ///< alpha
+    int32_t iridescence_texture = NO_TEXTURE;           ///< red
+    int32_t iridescence_thickness_texture = NO_TEXTURE; ///< green
     int32_t normal_texture = NO_TEXTURE; ///< tangent-space normals, +Y up as in glTF
     float normal_scale = 1.0f;
     AlphaMode alpha_mode = AlphaMode::opaque;
@@ -139,6 +163,9 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("metallic", &M::metallic, "of `metallic-roughness` only", {.range = UNIT}),
         field("ior", &M::ior, "interior over exterior index of refraction, of what is not metal",
               {.range = {.low = 0.01, .high = 100}}),
+        field("specular", &M::specular, "of the reflection of what is not metal", {.range = UNIT}),
+        field("specular_color", &M::specular_color, "the same at normal incidence",
+              {.range = NOT_NEGATIVE, .form = Form::color}),
         field("transmission", &M::transmission,
               "share of `metallic-roughness` that is clear where it is not metal; `dielectric` is all",
               {.range = UNIT}),
@@ -161,7 +188,51 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("emission_texture", &M::emission_texture,
               "multiplies `emission`, so write `emission = 1` beside it",
               {.form = Form::srgb_texture}),
+        field("diffuse_transmission", &M::diffuse_transmission,
+              "share of `metallic-roughness` that scatters light to the far side where it is not metal",
+              {.range = UNIT}),
+        field("diffuse_transmission_color", &M::diffuse_transmission_color, "of that light",
+              {.range = UNIT, .form = Form::color}),
+        field("clearcoat", &M::clearcoat, "how much of `metallic-roughness` has varnish on it",
+              {.range = UNIT}),
+        field("clearcoat_roughness", &M::clearcoat_roughness, "of the varnish", {.range = UNIT}),
+        field("sheen_color", &M::sheen_color, "of fibres that stand on `metallic-roughness`",
+              {.range = UNIT, .form = Form::color}),
+        field("sheen_roughness", &M::sheen_roughness, "how much they lie about", {.range = UNIT}),
+        field("iridescence", &M::iridescence, "how much of `metallic-roughness` has a thin film",
+              {.range = UNIT}),
+        field("iridescence_ior", &M::iridescence_ior, "index of refraction of the film",
+              {.range = {.low = 1, .high = 100}}),
+        field("iridescence_thickness", &M::iridescence_thickness, "of the film, in nanometres",
+              {.range = NOT_NEGATIVE}),
+        field("iridescence_thickness_minimum", &M::iridescence_thickness_minimum,
+              "where `iridescence_thickness_texture` is black", {.range = NOT_NEGATIVE}),
+        field("specular_texture", &M::specular_texture, "alpha multiplies `specular`",
+              {.form = Form::linear_texture}),
+        field("specular_color_texture", &M::specular_color_texture, "multiplies `specular_color`",
+              {.form = Form::srgb_texture}),
         field("transmission_texture", &M::transmission_texture, "red multiplies `transmission`",
+              {.form = Form::linear_texture}),
+        field("diffuse_transmission_texture", &M::diffuse_transmission_texture,
+              "alpha multiplies `diffuse_transmission`", {.form = Form::linear_texture}),
+        field("diffuse_transmission_color_texture", &M::diffuse_transmission_color_texture,
+              "multiplies `diffuse_transmission_color`", {.form = Form::srgb_texture}),
+        field("clearcoat_texture", &M::clearcoat_texture, "red multiplies `clearcoat`",
+              {.form = Form::linear_texture}),
+        field("clearcoat_roughness_texture", &M::clearcoat_roughness_texture,
+              "green multiplies `clearcoat_roughness`", {.form = Form::linear_texture}),
+        field("clearcoat_normal_texture", &M::clearcoat_normal_texture,
+              "normals of the varnish; without, it is smooth whatever lies below",
+              {.form = Form::linear_texture}),
+        field("clearcoat_normal_scale", &M::clearcoat_normal_scale, "of that texture's x and y"),
+        field("sheen_color_texture", &M::sheen_color_texture, "multiplies `sheen_color`",
+              {.form = Form::srgb_texture}),
+        field("sheen_roughness_texture", &M::sheen_roughness_texture,
+              "alpha multiplies `sheen_roughness`", {.form = Form::linear_texture}),
+        field("iridescence_texture", &M::iridescence_texture, "red multiplies `iridescence`",
+              {.form = Form::linear_texture}),
+        field("iridescence_thickness_texture", &M::iridescence_thickness_texture,
+              "green goes from the minimal thickness to `iridescence_thickness`",
               {.form = Form::linear_texture}),
         field("normal_texture", &M::normal_texture, "normals in tangent space, +Y up",
               {.form = Form::linear_texture}),
@@ -178,6 +249,11 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("group", &M::group, GROUP_MEANING, GROUP_RULES),
         LoaderKey{"wrap", "`\"repeat\"`, `\"clamp\"`, `\"mirror\"`",
                   "how this material's textures go on beyond their edges", "`\"repeat\"`"}};
+}
+
+/// The texture by whose coordinates tangents go: the normal map, else that of the varnish.
+constexpr int32_t normal_map_of(const Material& m) {
+    return m.normal_texture != NO_TEXTURE ? m.normal_texture : m.clearcoat_normal_texture;
 }
 
 /// Calls visit(field, index) for each texture slot of a material.

@@ -94,6 +94,15 @@ void fill_reflection(std::span<uint32_t> table) {
         });
 }
 
+void fill_sheen(std::span<uint32_t> table) {
+    fill_table(
+        table,
+        [](double cosine, double alpha) {
+            return AlbedoNumbers{sheen_albedo(cosine, alpha), 0};
+        },
+        [](AlbedoNumbers n, double) { return n; });
+}
+
 /// Of what glass loses, the part that is given back: quadrature across the edge of total
 /// reflection is off by some thousandths of it, and no glass should gain light.
 constexpr double GIVEN_BACK = 0.995;
@@ -111,6 +120,12 @@ void fill_glass(std::span<uint32_t> table, double ior) {
 
 } // namespace
 
+static std::vector<uint32_t> filled(void (*fill)(std::span<uint32_t>)) {
+    std::vector<uint32_t> words(ALBEDO_TABLE);
+    fill(words);
+    return words;
+}
+
 uint32_t AlbedoTables::glass(float ior) {
     used_ = true;
     const auto farther = [&](float a, float b) { return std::abs(a - ior) < std::abs(b - ior); };
@@ -119,22 +134,22 @@ uint32_t AlbedoTables::glass(float ior) {
         iors_.push_back(ior);
         nearest = iors_.end() - 1;
     }
-    return uint32_t(1 + (nearest - iors_.begin())) * ALBEDO_TABLE;
+    return uint32_t(2 + (nearest - iors_.begin())) * ALBEDO_TABLE;
 }
 
 std::vector<uint32_t> AlbedoTables::words() && {
-    std::vector<uint32_t> all((1 + iors_.size()) * ALBEDO_TABLE);
+    std::vector<uint32_t> all((2 + iors_.size()) * ALBEDO_TABLE);
     if (!used_) return all;
     const auto table = [&](size_t i) {
         return std::span(all).subspan(i * ALBEDO_TABLE, ALBEDO_TABLE);
     };
-    static const std::vector<uint32_t> reflection = [] {
-        std::vector<uint32_t> words(ALBEDO_TABLE);
-        fill_reflection(words);
-        return words;
-    }();
+    static const std::vector<uint32_t> reflection = filled(fill_reflection);
     std::ranges::copy(reflection, table(0).begin());
-    for (size_t i = 0; i < iors_.size(); i++) fill_glass(table(i + 1), iors_[i]);
+    if (sheen_) {
+        static const std::vector<uint32_t> sheen = filled(fill_sheen);
+        std::ranges::copy(sheen, table(1).begin());
+    }
+    for (size_t i = 0; i < iors_.size(); i++) fill_glass(table(i + 2), iors_[i]);
     return all;
 }
 

@@ -16,14 +16,16 @@ class AlbedoTables {
     /// The first word of the table of glass of an index of refraction, outside over inside. Where
     /// there are very many indices, that of the nearest.
     uint32_t glass(float ior);
-    /// The table of reflection first, then those of glass; where none is asked for, zeros, which
-    /// kernels for more than the scene has may read.
+    /// The table of reflection first, then that of sheen, then those of glass. Of what is not asked
+    /// for zeros, which kernels for more than the scene has may read.
     std::vector<uint32_t> words() &&;
     /// Asks for the table of reflection.
     void reflection() { used_ = true; }
+    /// Asks for that of sheen too.
+    void sheen() { used_ = sheen_ = true; }
 
   private:
-    bool used_ = false;
+    bool used_ = false, sheen_ = false;
     std::vector<float> iors_;
 };
 

@@ -96,7 +96,10 @@ uint32_t lobes_of(const Material& m) {
     case MaterialKind::dielectric:
         return clear_lobe(m);
     case MaterialKind::metallic_roughness:
-        return LAYERED_LOBES | (m.transmission > 0 ? clear_lobe(m) : 0);
+        return LAYERED_LOBES | (m.transmission > 0 ? clear_lobe(m) : 0) |
+               (m.diffuse_transmission > 0 ? bit(LOBE_BEHIND) : 0) |
+               (m.clearcoat > 0 ? bit(LOBE_COAT) : 0) |
+               (m.sheen_color != glm::vec3(0) ? bit(LOBE_SHEEN) : 0);
     case MaterialKind::unlit:
     case MaterialKind::phong: // path_material() has made something else of it
         break;
@@ -112,9 +115,14 @@ MaterialFeatures features_of(const Material& m) {
     const bool may_be_rough = is_rough_alpha(m.roughness);
     const bool may_be_smooth = !may_be_rough || m.metallic_roughness_texture != NO_TEXTURE;
     MaterialFeatures features{};
-    features.rough = may_be_rough && (lobes & ~bit(LOBE_DIFFUSE));
+    constexpr uint32_t MIRRORING_LOBES =
+        bit(LOBE_GLOSSY) | bit(LOBE_DIELECTRIC) | bit(LOBE_THIN);
+    features.rough = (may_be_rough && (lobes & MIRRORING_LOBES)) ||
+                     (lobes & bit(LOBE_COAT) && is_rough_alpha(m.clearcoat_roughness));
     features.layered = (lobes & LAYERED_LOBES) == LAYERED_LOBES || thin;
     features.index = mixed && m.ior != 1.5f;
+    features.specular = mixed && (m.specular != 1 || m.specular_color != glm::vec3(1));
+    features.iridescence = mixed && m.iridescence > 0;
     features.transmission = mixed && m.transmission > 0;
     features.absorption = solid && m.attenuation_distance && m.attenuation_color != glm::vec3(1);
     features.pane = thin && may_be_smooth;
@@ -147,6 +155,7 @@ PackedMaterials pack_materials(const Scene& scene) {
         record.lobes = lobes_of(m);
         const MaterialFeatures features = features_of(m);
         if (features.layered) albedos.reflection();
+        if (record.lobes & bit(LOBE_SHEEN)) albedos.sheen();
         if (features.rough && record.lobes & bit(LOBE_DIELECTRIC))
             record.albedos = albedos.glass(m.ior);
         record.blocks = m.shadows == GlassShadows::opaque;

@@ -17,6 +17,8 @@ struct MaterialFeatures {
     bool rough;        ///< it reflects or refracts by microfacets
     bool layered;      ///< it scatters below a coat or between microfacets
     bool index;        ///< its coat's is not 1.5
+    bool specular;     ///< it reflects less, or in colour
+    bool iridescence;
     bool transmission; ///< its body is clear in part
     bool absorption;
     bool pane;   ///< light goes straight through it, as it is thin and may be smooth

@@ -28,6 +28,8 @@ SceneFeatures model_features() {
             .rough = true,
             .albedos = true,
             .indices = true,
+            .specular = true,
+            .iridescence = true,
             .transmission = true,
             .absorption = true,
             .panes = true,

@@ -12,6 +12,9 @@ struct ReflectionAlbedo {
 };
 ReflectionAlbedo reflection_albedo(double cosine, double alpha);
 
+/// What white fibres scatter: those of kernels/shade/lobes/sheen.h.
+double sheen_albedo(double cosine, double alpha);
+
 /// What a boundary of clear glass reflects and refracts in sum, of light from outside and of light
 /// from inside; ior: the index of refraction inside over that outside. Absolute errors below 0.004.
 struct GlassAlbedo {

@@ -28,11 +28,13 @@ SceneFeatures material_features(const Scene& scene) {
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         const Material material = path_material(scene, i);
         const MaterialFeatures own = features_of(material);
-        features.normal_maps |= material.normal_texture != NO_TEXTURE;
+        features.normal_maps |= normal_map_of(material) != NO_TEXTURE;
         features.kinds |= 1u << uint32_t(material.kind);
         features.rough |= own.rough;
         features.albedos |= own.layered;
         features.indices |= own.index;
+        features.specular |= own.specular;
+        features.iridescence |= own.iridescence;
         features.transmission |= own.transmission;
         features.absorption |= own.absorption;
         features.panes |= own.pane;

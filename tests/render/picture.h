@@ -50,6 +50,8 @@ inline SceneFeatures all_features() {
             .rough = true,
             .albedos = true,
             .indices = true,
+            .specular = true,
+            .iridescence = true,
             .transmission = true,
             .absorption = true,
             .panes = true,

@@ -32,7 +32,7 @@ INLINE real mean_fresnel(real f0) {
 // Of the light that microfacets of a mean albedo lose, the part that comes out after all.
 INLINE real regained(real f0, real mean_albedo) {
     const real f = mean_fresnel(f0);
-    return f * f * mean_albedo / fma(f, mean_albedo - 1.0f, (real)(1.0f));
+    return f * f * mean_albedo / max_real(fma(f, mean_albedo - 1.0f, (real)(1.0f)), (real)(1e-6f));
 }
 
 INLINE DiffuseLobe diffuse_layered(SceneView view, MaterialPoint m, DiffuseLobe lobe,
@@ -43,11 +43,16 @@ INLINE DiffuseLobe diffuse_layered(SceneView view, MaterialPoint m, DiffuseLobe 
     const real metallic = choose(coated, m.metallic, one);
     lobe.row = m.row;
     lobe.albedos = view.albedos;
-    lobe.coat = choose(coated, coat_f0(view, m), zero);
-    lobe.f90 = choose(coated, one, zero);
+    real3 f0 = m.f0;
+#if ONDE_IRIDESCENCE
+    f0 = mix3(f0, film_fresnel(m.film, f0, one), m.iridescence);
+#endif
+    lobe.coat = choose(coated, max_component3(f0), zero);
+    lobe.f90 = choose(coated, m.f90, zero);
     const real entering = 1.0f - schlick_albedo(m.albedo, lobe.coat, lobe.f90);
     const real spread = 1.0f - schlick_albedo(mean, lobe.coat, lobe.f90);
-    const real3 body = scale3(m.color, choose(coated, opaque_share(m, metallic), zero));
+    const real share = opaque_share(m, metallic) * (1.0f - m.behind);
+    const real3 body = scale3(m.color, choose(coated, share, zero));
     const real lost = 1.0f - m.albedo.white;
     const real3 back =
         scale3(make3(regained(m.color.x, mean.white), regained(m.color.y, mean.white),

@@ -7,49 +7,45 @@
 #include "shade/lobes/lobe.h"
 #include "shade/microfacet.h"
 
-// Reflectance at normal incidence of the dielectric half of glTF's mix (index 1.5).
-#define DIELECTRIC_F0 0.04f
-
 typedef struct {
     real3 f0; // reflectance at normal incidence
     real f90; // and at grazing
     real alpha;
-} GlossyLobe;
-
-// The reflectance of the coat at normal incidence.
-INLINE real coat_f0(SceneView view, MaterialPoint m) {
-#if ONDE_INDICES
-    const real ior = RECORD(view.materials, m.material, MaterialRecord, ior);
-    return square((ior - 1.0f) / (ior + 1.0f));
-#else
-    return (real)(DIELECTRIC_F0);
+#if ONDE_IRIDESCENCE
+    real iridescence;
+    Film film;
 #endif
-}
+} GlossyLobe;
 
 INLINE GlossyLobe glossy_load(SceneView view, MaterialPoint m) {
     const real metallic = choose(is_of_kind(m, MATERIAL_CONDUCTOR), (real)(1.0f), m.metallic);
-    const real coat = coat_f0(view, m);
     GlossyLobe lobe;
-#if ONDE_TRANSMISSION // the clear part has its own reflection
-    const real opaque = choose(metallic < 1.0f, opaque_share(m, metallic), (real)(0.0f));
-    lobe.f0 = madd3(m.color, metallic, splat3(coat * opaque));
-    lobe.f90 = metallic + opaque;
-#else
-    lobe.f0 = mix3(splat3(coat), m.color, metallic);
-    lobe.f90 = (real)(1.0f);
-#endif
+    const real opaque = opaque_share(m, metallic); // the clear part has its own reflection
+    lobe.f0 = madd3(m.color, metallic, scale3(m.f0, opaque));
+    lobe.f90 = fma(m.f90, opaque, metallic);
     lobe.alpha = m.alpha;
+#if ONDE_IRIDESCENCE
+    lobe.iridescence = m.iridescence;
+    lobe.film = m.film;
+#endif
     return lobe;
 }
 INLINE real3 glossy_fresnel(GlossyLobe lobe, real cosine) {
-    return fresnel_schlick(lobe.f0, lobe.f90, cosine);
+    const real3 plain = fresnel_schlick(lobe.f0, lobe.f90, cosine);
+#if ONDE_IRIDESCENCE
+    const real whole = max_real(lobe.f90, (real)(1e-6f));
+    const real3 film = film_fresnel(lobe.film, scale3(lobe.f0, 1.0f / whole), cosine);
+    return mix3(plain, scale3(film, whole), lobe.iridescence);
+#else
+    return plain;
+#endif
 }
 // Not 0 for black metals, which reflect at grazing angles.
 INLINE real glossy_weight(GlossyLobe lobe, MaterialPoint m) {
+    real reflected = luminance3(glossy_fresnel(lobe, m.cosine));
 #if ONDE_ALBEDOS
-    const real reflected = schlick_albedo(m.albedo, luminance3(lobe.f0), lobe.f90);
-#else
-    const real reflected = luminance3(glossy_fresnel(lobe, m.cosine));
+    const real rough = schlick_albedo(m.albedo, luminance3(lobe.f0), lobe.f90);
+    reflected = choose(lobe.alpha < SMOOTH_ALPHA, reflected, rough);
 #endif
     return max_real(reflected, (real)(1e-9f));
 }

@@ -11,6 +11,7 @@
 
 #include "math/sampling.h"
 #include "shade/albedo.h"
+#include "shade/film_interference.h"
 #include "shade/texture.h"
 
 // A material at a point: what several lobes need of it, textures and all. What one lobe needs it
@@ -22,11 +23,24 @@ typedef struct {
     real3 color;
     real alpha; // roughness^2
     real metallic;
+    real3 f0;      // reflectance of the dielectric half at normal incidence
+    real f90;      // and at grazing
 #if ONDE_TRANSMISSION
     real transmission; // the share of the dielectric half's body that is clear
 #endif
+    real behind; // the share of what is left that scatters light to the far side
+    real3 behind_color;
+    real clearcoat, coat_alpha;
+    real3 coat_normal; // in local directions
+    real3 sheen_color;
+    real sheen_alpha;
+#if ONDE_IRIDESCENCE
+    real iridescence;
+    Film film;
+#endif
     mask front;  // whether its front is seen
-    real cosine; // of the view direction and the shading normal, > 0
+    real3 wo;    // view direction
+    real cosine; // of it and the shading normal, > 0
 #if ONDE_ALBEDOS
     AlbedoRow row;
     Albedo albedo; // of its microfacets, seen so
@@ -47,6 +61,9 @@ INLINE real clear_share(MaterialPoint m) {
     return (real)(1.0f);
 #endif
 }
+// Reflectance at normal incidence of a boundary to index 1.5, with the bits of the general formula.
+#define DIELECTRIC_F0 (0.2f * 0.2f)
+
 // Of a mix of dielectric and metal the part that is dielectric, but not clear.
 INLINE real opaque_share(MaterialPoint m, real metallic) {
 #if ONDE_TRANSMISSION

@@ -13,6 +13,9 @@ namespace {
 /// Of row 0; smoother microfacets look the same but at grazing angles that no picture shows.
 constexpr double LEAST_ALPHA = 1e-3;
 constexpr double LEAST_COSINE = 1e-4;
+/// The word of a mirror: kernels that serve other scenes too read tables that no material asked
+/// for, and must not make NaN of them.
+constexpr uint32_t NOTHING_LOST = 0x8000ffff;
 /// Tables of glass take some 10 ms each.
 constexpr size_t MOST_GLASS_TABLES = 64;
 
@@ -138,7 +141,7 @@ uint32_t AlbedoTables::glass(float ior) {
 }
 
 std::vector<uint32_t> AlbedoTables::words() && {
-    std::vector<uint32_t> all((2 + iors_.size()) * ALBEDO_TABLE);
+    std::vector<uint32_t> all((2 + iors_.size()) * ALBEDO_TABLE, NOTHING_LOST);
     if (!used_) return all;
     const auto table = [&](size_t i) {
         return std::span(all).subspan(i * ALBEDO_TABLE, ALBEDO_TABLE);

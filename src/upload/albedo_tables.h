@@ -16,8 +16,8 @@ class AlbedoTables {
     /// The first word of the table of glass of an index of refraction, outside over inside. Where
     /// there are very many indices, that of the nearest.
     uint32_t glass(float ior);
-    /// The table of reflection first, then that of sheen, then those of glass. Of what is not asked
-    /// for zeros, which kernels for more than the scene has may read.
+    /// The table of reflection first, then that of sheen, then those of glass. Those that nothing
+    /// asks for say that nothing is lost, for kernels that can do more than the scene asks.
     std::vector<uint32_t> words() &&;
     /// Asks for the table of reflection.
     void reflection() { used_ = true; }

@@ -43,6 +43,8 @@ SceneFeatures model_features() {
 
 std::vector<CommonFeatures> common_features() {
     const SceneFeatures room{.spheres = true,
+                             .rough = true,
+                             .albedos = true,
                              .lobes = ROOM_LOBES,
                              .kinds = ROOM_KINDS,
                              .lights = bit(LIGHT_TRIANGLE),

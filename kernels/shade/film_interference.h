@@ -84,13 +84,13 @@ INLINE real3 film_fresnel(Film film, real3 f0, real cosine) {
     const FilmBase b = film_base(ior, f0.z, inside);
     const real3 base = make3(r.reflectance, g.reflectance, b.reflectance);
     const real3 phase = make3(0.5f + r.phase, 0.5f + g.phase, 0.5f + b.phase);
-    const real3 both = make3(clamp_real(top * base.x, 1e-5f, 0.9999f),
-                             clamp_real(top * base.y, 1e-5f, 0.9999f),
-                             clamp_real(top * base.z, 1e-5f, 0.9999f));
+    const real3 both =
+        make3(clamp_real(top * base.x, 1e-5f, 0.9999f), clamp_real(top * base.y, 1e-5f, 0.9999f),
+              clamp_real(top * base.z, 1e-5f, 0.9999f));
     const real3 root = make3(sqrt(both.x), sqrt(both.y), sqrt(both.z));
-    const real3 inner =
-        make3(passes * passes * base.x / (1.0f - both.x), passes * passes * base.y / (1.0f - both.y),
-              passes * passes * base.z / (1.0f - both.z));
+    const real3 inner = make3(passes * passes * base.x / (1.0f - both.x),
+                              passes * passes * base.y / (1.0f - both.y),
+                              passes * passes * base.z / (1.0f - both.z));
     const real difference = 2.0f * ior * film.thickness * inside;
     real3 sum = add3(splat3(top), inner);
     real3 order = mul3(sub3(inner, splat3(passes)), root);

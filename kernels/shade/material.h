@@ -77,13 +77,11 @@ INLINE MaterialPoint with_reflectance(SceneView view, Surface s, MaterialPoint m
                  min_real(f0 * color.z, (real)(1.0f)) * m.f90);
 #endif
 #if ONDE_IRIDESCENCE
-    m.iridescence =
-        MATERIAL_NUMBER(view, s, iridescence) * MATERIAL_DATA(view, s, IRIDESCENCE).x;
+    m.iridescence = MATERIAL_NUMBER(view, s, iridescence) * MATERIAL_DATA(view, s, IRIDESCENCE).x;
     const real least = MATERIAL_NUMBER(view, s, iridescence_thickness_minimum);
     const real most = MATERIAL_NUMBER(view, s, iridescence_thickness);
     m.film.ior = MATERIAL_NUMBER(view, s, iridescence_ior);
-    m.film.thickness =
-        fma(MATERIAL_DATA(view, s, IRIDESCENCE_THICKNESS).y, most - least, least);
+    m.film.thickness = fma(MATERIAL_DATA(view, s, IRIDESCENCE_THICKNESS).y, most - least, least);
 #endif
     return m;
 }

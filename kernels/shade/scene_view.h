@@ -36,7 +36,8 @@
     #define ONDE_WIDE_TEXTURES 0
 #endif
 // Whether some material lets rays pass by its alpha, and whether cameras see through the back of
-// some. ONDE_PASSING is 1 where rays or light may go on behind a surface for these reasons or others.
+// some. ONDE_PASSING is 1 where rays or light may go on behind a surface for these reasons or
+// others.
 #ifndef ONDE_ALPHA
     #define ONDE_ALPHA 0
 #endif
@@ -57,9 +58,9 @@
 #ifndef ONDE_ALBEDOS
     #define ONDE_ALBEDOS 1
 #endif
-// Whether coats have other indices than 1.5, whether their bodies may be clear, whether solids absorb
-// light; whether light goes straight through some smooth thin wall, and through smooth solids where
-// no other way would find it.
+// Whether coats have other indices than 1.5, whether their bodies may be clear, whether solids
+// absorb light; whether light goes straight through some smooth thin wall, and through smooth
+// solids where no other way would find it.
 #ifndef ONDE_INDICES
     #define ONDE_INDICES 1
 #endif

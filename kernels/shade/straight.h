@@ -29,24 +29,22 @@ INLINE real3 straight_transmittance(SceneView view, real3 origin, real3 directio
     mask clear = lanes & (m.alpha < SMOOTH_ALPHA);
     mask thin = lanes & !lanes;
     real reflectance = (real)(1.0f);
-#if ONDE_PANES
+    #if ONDE_PANES
     thin = clear & ((lobes >> LOBE_THIN & 1u) != 0u);
     reflectance = choose(thin, thin_fresnel(thin_load(view, m), cosine), reflectance);
-#endif
+    #endif
     real3 left = splat3((real)(1.0f));
-#if ONDE_UNBENT
+    #if ONDE_UNBENT
     const natural blocks = RECORD_NATURAL(view.materials, s.material, MaterialRecord, blocks);
-    const mask solid =
-        clear & unbent & (blocks == 0u) & ((lobes >> LOBE_DIELECTRIC & 1u) != 0u);
+    const mask solid = clear & unbent & (blocks == 0u) & ((lobes >> LOBE_DIELECTRIC & 1u) != 0u);
     // As parallel faces of a slab reflect: both by the angle outside.
     const real ior = RECORD(view.materials, s.material, MaterialRecord, ior);
-    reflectance =
-        choose(solid, fresnel_dielectric(cosine, max_real(ior, 1.0f / ior)), reflectance);
+    reflectance = choose(solid, fresnel_dielectric(cosine, max_real(ior, 1.0f / ior)), reflectance);
     thin = thin | solid;
-    #if ONDE_ABSORPTION
+        #if ONDE_ABSORPTION
     left = choose(solid, solid_transmittance(view, s, hits.t - before), left);
+        #endif
     #endif
-#endif
     const real share = choose(thin, clear_share(m) * (1.0f - reflectance), (real)(0.0f));
     return scale3(mul3(m.color, left), share);
 }

@@ -87,8 +87,8 @@ INLINE Surface facing(Surface s, real3 direction) {
     s.geometric = choose(s.front, s.geometric, negate3(s.geometric));
     s.normal = choose(dot3(s.normal, s.geometric) < 0.0f, negate3(s.normal), s.normal);
 #if ONDE_NORMAL_MAPS
-    s.coat_normal = choose(dot3(s.coat_normal, s.geometric) < 0.0f, negate3(s.coat_normal),
-                           s.coat_normal);
+    s.coat_normal =
+        choose(dot3(s.coat_normal, s.geometric) < 0.0f, negate3(s.coat_normal), s.coat_normal);
 #endif
     const mask grazing = !(dot3(s.normal, direction) < -1e-3f); // NaN falls here too
     s.normal = choose(grazing, s.geometric, s.normal);

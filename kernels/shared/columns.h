@@ -35,8 +35,7 @@
 
 // Behind that, where AOVs ask what came before: shares of its light by what the first surface did
 // (see film/light_shares.h), and whether it has met nothing but mirrors.
-#define TRAIL_COLUMNS(VECTOR, REAL, NATURAL)                                                       \
-    VECTOR(diffuse) REAL(transmitted) NATURAL(mirrored)
+#define TRAIL_COLUMNS(VECTOR, REAL, NATURAL) VECTOR(diffuse) REAL(transmitted) NATURAL(mirrored)
 // And where there are panes: how far it has come straight through them.
 #define PANE_COLUMNS(VECTOR, REAL, NATURAL) REAL(passed)
 

@@ -16,8 +16,8 @@
 
 // The lobes that a BSDF is the sum of, each once: LOBE(NAME, name, Type, transmits). `name` has a
 // file kernels/shade/lobes/name.h with its Type; `transmits` says whether light may pass the
-// surface. What lies on top comes first. Which ones a material has is told by lobes_of() in src/upload/appearance.h; what no
-// material of a scene has is not compiled.
+// surface. What lies on top comes first. Which ones a material has is told by lobes_of() in
+// src/upload/appearance.h; what no material of a scene has is not compiled.
 #define LOBES(LOBE)                                                                                \
     LOBE(COAT, coat, CoatLobe, 0)                                                                  \
     LOBE(SHEEN, sheen, SheenLobe, 0)                                                               \
@@ -86,10 +86,10 @@ typedef struct {
     uint kind;
     uint lobes; // bits by LOBE_...
     uint two_sided;
-    uint alpha_mode;   // ALPHA_...
-    uint double_sided; // else camera rays pass its back
-    uint group;        // of lights, that its emission belongs to
-    uint albedos;      // of rough glass: the first word of its table of directional albedos
+    uint alpha_mode;     // ALPHA_...
+    uint double_sided;   // else camera rays pass its back
+    uint group;          // of lights, that its emission belongs to
+    uint albedos;        // of rough glass: the first word of its table of directional albedos
     uint blocks;         // whether it, smooth glass, blocks light that only straight ways reach
     float absorption[3]; // inside of it: halvings per unit of length
     MATERIAL_COLORS(COLOR_MEMBER)

@@ -51,9 +51,8 @@ INLINE uint find_transmittance(Estimator e, WaveView wave, const uint* slots, ui
             straight[i] = *column(connections, CONNECTION_UNBENT, slots[place[min(i, count - 1)]]);
         unbent = as_natural(unspill_real(straight)) != 0u;
     #endif
-        const real3 through =
-            estimator_transmittance(e, origin, direction, unspill_real(words[RAY_DISTANCE]), unbent,
-                                    lane_index() < count);
+        const real3 through = estimator_transmittance(
+            e, origin, direction, unspill_real(words[RAY_DISTANCE]), unbent, lane_index() < count);
         float x[ONDE_WIDTH], y[ONDE_WIDTH], z[ONDE_WIDTH];
         spill_real(x, through.x);
         spill_real(y, through.y);

@@ -20,7 +20,9 @@ std::vector<Surface> surfaces() {
             glass(0.2f, 1.5f),
             glass(0.5f, 1.5f, false),
             glass(0, 1.5f),
-            glass(0, 1.5f, false), pane(0.4f), clear_mix(0.3f, 0.2f, 0.6f, true)};
+            glass(0, 1.5f, false),
+            pane(0.4f),
+            clear_mix(0.3f, 0.2f, 0.6f, true)};
 }
 
 /// What a check of one surface, seen from one direction, goes by.

@@ -58,8 +58,8 @@ bool has_lens(const Scene& scene) {
 
 /// What paths do of light that they can't find.
 void note_unbent(const Scene& scene, Sentences& notes) {
-    const size_t lights = scene.point_lights.size() + scene.spot_lights.size() +
-                          scene.directional_lights.size();
+    const size_t lights =
+        scene.point_lights.size() + scene.spot_lights.size() + scene.directional_lights.size();
     const auto is_glass = [](const Material& m) {
         const bool clear = m.kind == MaterialKind::dielectric || m.transmission > 0;
         return clear && !m.thin_walled && m.roughness * m.roughness < 1e-3f &&

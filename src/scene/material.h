@@ -103,14 +103,14 @@ struct Material {
     MaterialKind kind = MaterialKind::diffuse;
     glm::vec3 base_color{0.8f};
     float roughness = 1.0f;
-    float metallic = 0.0f;    ///< metallic_roughness only
-    float ior = 1.5f; ///< interior over exterior index; of dielectric, and of the dielectric half of
-                      ///< metallic_roughness
-    float specular = 1.0f;           ///< of the reflection of that half
-    glm::vec3 specular_color{1.0f};  ///< the same at normal incidence
+    float metallic = 0.0f; ///< metallic_roughness only
+    float ior = 1.5f; ///< interior over exterior index; of dielectric, and of the dielectric half
+                      ///< of metallic_roughness
+    float specular = 1.0f;          ///< of the reflection of that half
+    glm::vec3 specular_color{1.0f}; ///< the same at normal incidence
     float transmission = 0.0f; ///< share of that half's body that is clear; metallic_roughness only
     bool thin_walled = false;  ///< what lets light through is a sheet: light is not bent
-    glm::vec3 attenuation_color{1.0f};   ///< of white light after attenuation_distance inside
+    glm::vec3 attenuation_color{1.0f}; ///< of white light after attenuation_distance inside
     std::optional<float> attenuation_distance{}; ///< in world units; nothing is absorbed without
     GlassShadows shadows = GlassShadows::straight;
     float diffuse_transmission = 0.0f; ///< share of that half's body that scatters to the far side
@@ -141,7 +141,7 @@ struct Material {
     int32_t sheen_roughness_texture = NO_TEXTURE;       ///< alpha
     int32_t iridescence_texture = NO_TEXTURE;           ///< red
     int32_t iridescence_thickness_texture = NO_TEXTURE; ///< green
-    int32_t normal_texture = NO_TEXTURE; ///< tangent-space normals, +Y up as in glTF
+    int32_t normal_texture = NO_TEXTURE;                ///< tangent-space normals, +Y up as in glTF
     float normal_scale = 1.0f;
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha = 1.0f;        ///< times the base colour texture's alpha and that of the vertices
@@ -167,7 +167,8 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("specular_color", &M::specular_color, "the same at normal incidence",
               {.range = NOT_NEGATIVE, .form = Form::color}),
         field("transmission", &M::transmission,
-              "share of `metallic-roughness` that is clear where it is not metal; `dielectric` is all",
+              "share of `metallic-roughness` that is clear where it is not metal; `dielectric` is "
+              "all",
               {.range = UNIT}),
         field("thin_walled", &M::thin_walled,
               "what is clear is a sheet, behind which light goes on as it came"),
@@ -176,9 +177,10 @@ constexpr auto fields_of(TypeTag<Material>) {
               {.range = UNIT, .form = Form::color}),
         field("attenuation_distance", &M::attenuation_distance, "in units of the world",
               {.range = POSITIVE, .absent = "nothing is absorbed"}),
-        field("shadows", &M::shadows,
-              "light of points, spots and directions, which never finds its way through smooth solid "
-              "glass: it passes unbent, or not"),
+        field(
+            "shadows", &M::shadows,
+            "light of points, spots and directions, which never finds its way through smooth solid "
+            "glass: it passes unbent, or not"),
         field("emission", &M::emission, "radiance", {.range = NOT_NEGATIVE, .form = Form::color}),
         field("two_sided", &M::two_sided, "whether the back face emits as well"),
         field("base_color_texture", &M::base_color_texture, "multiplies `base_color`",
@@ -189,7 +191,8 @@ constexpr auto fields_of(TypeTag<Material>) {
               "multiplies `emission`, so write `emission = 1` beside it",
               {.form = Form::srgb_texture}),
         field("diffuse_transmission", &M::diffuse_transmission,
-              "share of `metallic-roughness` that scatters light to the far side where it is not metal",
+              "share of `metallic-roughness` that scatters light to the far side where it is not "
+              "metal",
               {.range = UNIT}),
         field("diffuse_transmission_color", &M::diffuse_transmission_color, "of that light",
               {.range = UNIT, .form = Form::color}),

@@ -115,8 +115,7 @@ MaterialFeatures features_of(const Material& m) {
     const bool may_be_rough = is_rough_alpha(m.roughness);
     const bool may_be_smooth = !may_be_rough || m.metallic_roughness_texture != NO_TEXTURE;
     MaterialFeatures features{};
-    constexpr uint32_t MIRRORING_LOBES =
-        bit(LOBE_GLOSSY) | bit(LOBE_DIELECTRIC) | bit(LOBE_THIN);
+    constexpr uint32_t MIRRORING_LOBES = bit(LOBE_GLOSSY) | bit(LOBE_DIELECTRIC) | bit(LOBE_THIN);
     features.rough = (may_be_rough && (lobes & MIRRORING_LOBES)) ||
                      (lobes & bit(LOBE_COAT) && is_rough_alpha(m.clearcoat_roughness));
     features.layered = (lobes & LAYERED_LOBES) == LAYERED_LOBES || thin;

@@ -15,7 +15,8 @@
 namespace onde {
 
 std::vector<std::string> SceneFeatures::defines() const {
-    std::vector<std::string> all{fmt::format("ONDE_PASSING={:d}", alpha || culling || panes || unbent)};
+    std::vector<std::string> all{
+        fmt::format("ONDE_PASSING={:d}", alpha || culling || panes || unbent)};
 #define ONDE_DEFINE(Type, name, initial, NAME, join)                                               \
     all.push_back(fmt::format("ONDE_" #NAME "={:d}", name));
     SCENE_FEATURES(ONDE_DEFINE)

@@ -74,7 +74,8 @@ void check_share(const glm::dvec3& share, const glm::dvec3& wanted) {
 
 } // namespace
 
-TEST_CASE("the sun shines straight through a thin wall, less by one reflection, or by all of a slab") {
+TEST_CASE(
+    "the sun shines straight through a thin wall, less by one reflection, or by all of a slab") {
     const glm::vec3 tint(0.9f, 0.5f, 0.3f);
     for (const double cosine : {1.0, 0.6}) {
         const double r = fresnel(cosine, 1.5);
@@ -117,7 +118,8 @@ TEST_CASE("what is partly clear lets that part through, and a partial metal less
     check_share(share_of_sun(room.scene), glm::dvec3(0.5 * 0.8 * (1 - fresnel(1, 1.3))));
 }
 
-TEST_CASE("behind a pane sampled and found light add up to what a slightly rough pane lets through") {
+TEST_CASE(
+    "behind a pane sampled and found light add up to what a slightly rough pane lets through") {
     for (const bool map : {false, true}) {
         const auto lit = [&](float roughness) {
             Material pane = clear(MaterialKind::metallic_roughness, true, {0.9f, 0.6f, 0.4f});

@@ -35,6 +35,11 @@ INLINE real regained(real f0, real mean_albedo) {
     return f * f * mean_albedo / max_real(fma(f, mean_albedo - 1.0f, (real)(1.0f)), (real)(1e-6f));
 }
 
+// What a coat lets through; none at all where it is a mirror.
+INLINE real coat_lets_through(Albedo a, real f0, real f90) {
+    return max_real(1.0f - schlick_albedo(a, f0, f90), (real)(0.0f));
+}
+
 INLINE DiffuseLobe diffuse_layered(SceneView view, MaterialPoint m, DiffuseLobe lobe,
                                    mask layered) {
     const Albedo mean = mean_reflection_albedo(view.albedos, m.row);
@@ -44,13 +49,13 @@ INLINE DiffuseLobe diffuse_layered(SceneView view, MaterialPoint m, DiffuseLobe 
     lobe.row = m.row;
     lobe.albedos = view.albedos;
     real3 f0 = m.f0;
-#if ONDE_IRIDESCENCE
+    #if ONDE_IRIDESCENCE
     f0 = mix3(f0, film_fresnel(m.film, f0, one), m.iridescence);
-#endif
+    #endif
     lobe.coat = choose(coated, max_component3(f0), zero);
     lobe.f90 = choose(coated, m.f90, zero);
-    const real entering = 1.0f - schlick_albedo(m.albedo, lobe.coat, lobe.f90);
-    const real spread = 1.0f - schlick_albedo(mean, lobe.coat, lobe.f90);
+    const real entering = coat_lets_through(m.albedo, lobe.coat, lobe.f90);
+    const real spread = max_real(coat_lets_through(mean, lobe.coat, lobe.f90), (real)(1e-4f));
     const real share = opaque_share(m, metallic) * (1.0f - m.behind);
     const real3 body = scale3(m.color, choose(coated, share, zero));
     const real lost = 1.0f - m.albedo.white;
@@ -88,7 +93,7 @@ INLINE real3 diffuse_body(DiffuseLobe lobe, real3 wi, mask lanes) {
     real3 albedo = lobe.albedo;
 #if ONDE_ALBEDOS
     const Albedo a = reflection_albedo(lobe.albedos, lobe.row, max_real(wi.z, (real)(0.0f)));
-    albedo = scale3(albedo, 1.0f - schlick_albedo(a, lobe.coat, lobe.f90));
+    albedo = scale3(albedo, coat_lets_through(a, lobe.coat, lobe.f90));
 #endif
     return scale3(albedo, choose(above, wi.z, (real)(0.0f)) * INV_PI);
 }
@@ -100,7 +105,7 @@ INLINE LobeValue diffuse_eval(DiffuseLobe lobe, real3 wo, real3 wi, mask lanes) 
 #if ONDE_ALBEDOS
     const Albedo a = reflection_albedo(lobe.albedos, lobe.row, cosine);
     albedo = madd3(lobe.between, 1.0f - a.white,
-                   scale3(albedo, 1.0f - schlick_albedo(a, lobe.coat, lobe.f90)));
+                   scale3(albedo, coat_lets_through(a, lobe.coat, lobe.f90)));
 #endif
     LobeValue v;
     v.tint = splat3(choose(above, (real)(1.0f), (real)(0.0f)));

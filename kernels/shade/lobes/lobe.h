@@ -23,8 +23,8 @@ typedef struct {
     real3 color;
     real alpha; // roughness^2
     real metallic;
-    real3 f0;      // reflectance of the dielectric half at normal incidence
-    real f90;      // and at grazing
+    real3 f0; // reflectance of the dielectric half at normal incidence
+    real f90; // and at grazing
 #if ONDE_TRANSMISSION
     real transmission; // the share of the dielectric half's body that is clear
 #endif

@@ -7,16 +7,16 @@
 #include "shade/lobes/dielectric.h"
 
 typedef struct {
-    real3 tint;  // of what goes through
-    real share;  // of the surface that is clear
+    real3 tint; // of what goes through
+    real share; // of the surface that is clear
     real alpha;
     real ior;
     mask slab;
 #if ONDE_ALBEDOS
     AlbedoRow row;
-    real lost;      // between microfacets, of light along wo
+    real lost; // between microfacets, of light along wo
     real mean_lost;
-    real behind;    // the part of that which comes out there
+    real behind; // the part of that which comes out there
     __global const uint* albedos;
 #endif
 } ThinLobe;

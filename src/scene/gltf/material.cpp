@@ -36,8 +36,7 @@ void apply_transmission(TextureLoader& textures, const JsonReader& source, const
     const auto extended = source.extension("KHR_materials_transmission");
     material.transmission = unit(number_in(extended, "transmissionFactor", 0.0));
     if (material.transmission > 0.0f)
-        material.transmission_texture =
-            textures.load(extended, "transmissionTexture", false, user);
+        material.transmission_texture = textures.load(extended, "transmissionTexture", false, user);
     const auto volume = source.extension("KHR_materials_volume");
     material.thin_walled = !(number_in(volume, "thicknessFactor", 0.0) > 0.0);
     if (!volume || material.thin_walled) return;

@@ -2,6 +2,7 @@
 #include "scratch.h"
 
 #include "scene/merge.h"
+#include "shared/scene.h"
 
 #include <limits>
 #include <set>

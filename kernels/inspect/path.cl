@@ -40,8 +40,10 @@ INLINE void explain_bounce(SceneView view, Path path, Hits hit, Sampler sampler,
     const real choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x;
     const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT));
     real2 rest = u;
-    report->light = choose_light_and_rest(view, choice, &rest);
-    report->light_pdf = light_sample(view, s.position, choice, u, (mask)(1)).pdf;
+    const real3 normal = bsdf_transmits(b) ? zero3() : valid_normal(view, s, path.direction);
+    const Receiver at = receiver_at(s.position, normal);
+    report->light = light_choice(view, at, choice, &rest, (mask)(1)).light;
+    report->light_pdf = light_sample(view, at, choice, u, (mask)(1)).pdf;
 }
 
 // reports: as many as the path may have surfaces. radiance: of the sample.

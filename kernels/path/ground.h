@@ -57,7 +57,7 @@ OUTLINED Ground ground_at(SceneView view, real3 origin, real3 direction, real ch
         choose(lanes, direction, make3((real)(0.0f), (real)(-1.0f), (real)(0.0f))), v);
     g.reflectance = fresnel_dielectric(cosine, (real)(GROUND_IOR));
 
-    const LightSample light = sample_light_of(view, INFINITE_LIGHTS, g.position, choice, u, lanes);
+    const LightSample light = far_light_sample(view, choice, u, lanes);
     const mask lit = lanes & light.valid & (light.direction.y > 0.0f);
     g.tested = mask_bits(lit);
     g.kept = zero3();

@@ -27,10 +27,16 @@
 #else
     #define PATH_PANES NO_COLUMNS
 #endif
-#define ALL_PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                    \
+#if ONDE_LIGHT_TREE
+    #define PATH_RECEIVER RECEIVER_COLUMNS
+#else
+    #define PATH_RECEIVER NO_COLUMNS
+#endif
+#define PATH_STATE(VECTOR, REAL, NATURAL)                                                          \
     PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                            \
-    PATH_TRAIL(VECTOR, REAL, NATURAL) PATH_PANES(VECTOR, REAL, NATURAL)
-COLUMNS_TYPE(Path, ALL_PATH_COLUMNS);
+    PATH_TRAIL(VECTOR, REAL, NATURAL)                                                              \
+    PATH_RECEIVER(VECTOR, REAL, NATURAL) PATH_PANES(VECTOR, REAL, NATURAL)
+COLUMNS_TYPE(Path, PATH_STATE);
 
 typedef struct {
     real3 emitted;         // radiance found at this vertex
@@ -59,6 +65,9 @@ INLINE Path path_start(__global const FrameRecord* frame, natural pixel, Sampler
 #if ONDE_PANES
     path.passed = (real)(0.0f);
 #endif
+#if ONDE_LIGHT_TREE
+    path.normal = zero3();
+#endif
 #if ONDE_TRAIL
     path.diffuse = zero3();
     path.transmitted = (real)(0.0f);
@@ -73,24 +82,37 @@ INLINE real found_weight(real bsdf_pdf, real light_pdf) {
 }
 
 INLINE real3 path_background(SceneView view, Path path) {
-    const real3 radiance = environment_radiance(view, path.direction);
-    real weight = found_weight(path.pdf, environment_found_pdf(view, path.direction));
+    const FarLight far = environment_found(view, path.direction);
+    real weight = found_weight(path.pdf, far.pdf);
 #if ONDE_GROUND
     weight = choose(path.pdf == GROUND_PDF, (real)(0.0f), weight);
 #endif
-    return mul3(path.throughput, scale3(radiance, weight));
+    return mul3(path.throughput, scale3(far.radiance, weight));
+}
+
+// What the path's last vertex was when it sampled a light.
+INLINE Receiver path_receiver(Path path) {
+    real3 position = path.origin;
+#if ONDE_PANES // it has come straight through them since
+    position = madd3(path.direction, -path.passed, position);
+#endif
+#if ONDE_LIGHT_TREE
+    return receiver_at(position, path.normal);
+#else
+    return receiver_at(position, zero3());
+#endif
 }
 
 INLINE real3 path_emission(SceneView view, Path path, real t, Surface s, mask lanes) {
     const mask emits = lanes & (s.light != NO_INDEX) & material_emits(view, s.material, s.front);
     if (!mask_bits(emits)) return zero3();
     const real3 radiance = material_emission(view, s.material, s.uv);
-    real3 from = path.origin;
 #if ONDE_PANES // light was sampled where the path was turned
-    from = madd3(path.direction, -path.passed, from);
     t += path.passed;
 #endif
-    const real weight = found_weight(path.pdf, light_pdf(view, from, path.direction, t, s));
+    const mask sampled = emits & (path.pdf > 0.0f);
+    const real pdf = light_pdf(view, path_receiver(path), path.direction, t, s, sampled);
+    const real weight = found_weight(path.pdf, pdf);
     return choose(emits, mul3(path.throughput, scale3(radiance, weight)), zero3());
 }
 
@@ -104,7 +126,7 @@ INLINE real3 path_unlit(SceneView view, Path path, Surface s, mask lanes) {
 INLINE Connection path_connection(SceneView view, Path path, Vertex v, Sampler sampler, uint bounce,
                                   real choice, mask lanes) {
     const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT));
-    const LightSample light = light_sample(view, v.surface.position, choice, u, lanes);
+    const LightSample light = light_sample(view, vertex_receiver(v), choice, u, lanes);
     const real3 wi = to_local(v.basis, light.direction);
     const BsdfValue f = bsdf_eval(v.bsdf, v.wo, wi);
     const real weight =
@@ -267,9 +289,15 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     result.next.direction = direction;
     result.next.throughput = mul3(path.throughput, s.weight);
     result.next.pdf = choose(s.delta, (real)(0.0f), s.pdf);
+#if ONDE_LIGHT_TREE
+    result.next.normal = vertex_receiver(v).normal;
+#endif
 #if ONDE_PANES
     result.next.pdf = choose(s.straight, path.pdf, result.next.pdf);
     result.next.passed = choose(s.straight, path.passed + v.t, (real)(0.0f));
+    #if ONDE_LIGHT_TREE
+    result.next.normal = choose(s.straight, path.normal, result.next.normal);
+    #endif
 #endif
 #if ONDE_TRAIL
     result.next.mirrored = choose(mirror, path.mirrored, (natural)(0u));

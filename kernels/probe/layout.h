@@ -117,7 +117,10 @@
     OFFSET(FrameRecord, ground_height)                                                             \
     OFFSET(FrameRecord, most_radiance)                                                             \
     OFFSET(FrameRecord, environment_group)                                                         \
+    OFFSET(FrameRecord, environment_floor)                                                         \
+    OFFSET(FrameRecord, environment_scale)                                                         \
     OFFSET(FrameRecord, pad4)                                                                      \
+    OFFSET(FrameRecord, pad5)                                                                      \
     OFFSET(FrameRecord, filter_table)                                                              \
     SIZE(MaterialRecord)                                                                           \
     OFFSET(MaterialRecord, kind)                                                                   \
@@ -235,6 +238,7 @@
     OFFSET(LightRecord, material)                                                                  \
     OFFSET(LightRecord, surface)                                                                   \
     OFFSET(LightRecord, group)                                                                     \
+    OFFSET(LightRecord, trail)                                                                     \
     OFFSET(LightRecord, as.triangle)                                                               \
     OFFSET(LightRecord, as.triangle.corner)                                                        \
     OFFSET(LightRecord, as.triangle.area)                                                          \
@@ -264,6 +268,15 @@
     OFFSET(LightRecord, as.directional.irradiance)                                                 \
     OFFSET(LightRecord, as.environment)                                                            \
     OFFSET(LightRecord, as.environment.unused)                                                     \
+    SIZE(LightBranch)                                                                              \
+    OFFSET(LightBranch, center)                                                                    \
+    OFFSET(LightBranch, radius)                                                                    \
+    OFFSET(LightBranch, axis)                                                                      \
+    OFFSET(LightBranch, spread)                                                                    \
+    OFFSET(LightBranch, reach)                                                                     \
+    OFFSET(LightBranch, power)                                                                     \
+    OFFSET(LightBranch, next)                                                                      \
+    OFFSET(LightBranch, unused)                                                                    \
     SIZE(TextureRecord)                                                                            \
     OFFSET(TextureRecord, offset)                                                                  \
     OFFSET(TextureRecord, low)                                                                     \
@@ -279,8 +292,6 @@
     SIZE(AliasRecord)                                                                              \
     OFFSET(AliasRecord, below)                                                                     \
     OFFSET(AliasRecord, alias)                                                                     \
-    OFFSET(AliasRecord, pmf)                                                                       \
-    OFFSET(AliasRecord, unused)                                                                    \
     SIZE(HitReport)                                                                                \
     OFFSET(HitReport, origin)                                                                      \
     OFFSET(HitReport, direction)                                                                   \

@@ -13,30 +13,45 @@ SCENE_PROBE(texture) {
 }
 
 #if ONDE_ENVIRONMENT
-// In: direction (3), u (2). Out: place on the map (2), the direction of that place (3), radiance
-// (3) and pdf of the direction; the direction sampled by u (3).
+// In: direction (3), u (2), which tables. Out: place on the map (2), the direction of that place
+// (3), radiance (3) and pdf of the direction; the direction sampled by u (3).
 SCENE_PROBE(environment) {
     const real3 direction = input3(items, 0);
     const real2 uv = environment_uv(view, direction);
     output(items, 0, uv);
     output(items, 2, environment_direction(view, uv));
-    output(items, 5, environment_radiance(view, direction));
-    output(items, 8, environment_pdf(view, direction));
-    output(items, 9, environment_sample(view, input2(items, 3)));
+    const uint which = input_uniform(items, 5);
+    const FarLight far = environment_look(view, direction, which);
+    output(items, 5, far.radiance);
+    output(items, 8, far.pdf);
+    output(items, 9, environment_sample(view, input2(items, 3), which));
 }
 #endif
 
 // In: point (3), choice, u (2), live or not. Out: direction (3), distance, radiance (3), pdf,
 // delta, valid.
 SCENE_PROBE(light_sample) {
-    const LightSample s = light_sample(view, input3(items, 0), input(items, 3), input2(items, 4),
-                                       input_mask(items, 6));
+    const LightSample s = light_sample(view, receiver_at(input3(items, 0), zero3()),
+                                       input(items, 3), input2(items, 4), input_mask(items, 6));
     output(items, 0, s.direction);
     output(items, 3, s.distance);
     output(items, 4, s.radiance);
     output(items, 7, s.pdf);
     output_mask(items, 8, s.delta);
     output_mask(items, 9, s.valid);
+}
+
+// In: point (3), normal (3), u, a light, live or not. Out: the light that u chooses, its pmf, what
+// is left of u; the pmf of the other light.
+SCENE_PROBE(light_choice) {
+    const Receiver at = receiver_at(input3(items, 0), input3(items, 3));
+    const mask live = input_mask(items, 8);
+    real2 u = make2(input(items, 6), (real)(0.0f));
+    const LightChoice c = light_choice(view, at, u.x, &u, live);
+    output(items, 0, c.light);
+    output(items, 1, c.pmf);
+    output(items, 2, u.x);
+    output(items, 3, light_choice_pmf(view, input_natural(items, 7), at, live));
 }
 
 // In: origin (3), direction (3), live or not. Out: whether the ray hits, distance, position (3),
@@ -55,7 +70,7 @@ SCENE_PROBE(surface) {
     output_mask(items, 11, s.front);
     output(items, 12, s.light);
     output(items, 13, material_emission(view, s.material, s.uv));
-    output(items, 16, light_pdf(view, origin, direction, hits.t, s));
+    output(items, 16, light_pdf(view, receiver_at(origin, zero3()), direction, hits.t, s, found));
     output(items, 17, s.bulge);
 }
 

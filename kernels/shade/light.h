@@ -5,6 +5,7 @@
 #define ONDE_SHADE_LIGHT_H
 
 #include "math/random.h"
+#include "shade/light_tree.h"
 #include "shade/lights/directional.h"
 #include "shade/lights/disk.h"
 #include "shade/lights/environment.h"
@@ -35,45 +36,76 @@ INLINE natural choose_light(SceneView view, real* u) {
 
 // The same by the first of the two numbers for a point on the light, so that each light keeps a
 // whole slab of a stratified square; `choice` is for many lights.
-INLINE natural choose_light_and_rest(SceneView view, real choice, real2* u) {
-    if (view.frame->light_count > MOST_SHARING_LIGHTS) return choose_light(view, &choice);
-    return choose_light(view, &u->x);
+INLINE LightChoice power_choice(SceneView view, real choice, real2* u) {
+    const bool shares = view.frame->light_count <= MOST_SHARING_LIGHTS;
+    LightChoice c;
+    c.light = choose_light(view, shares ? &u->x : &choice);
+    c.pmf = RECORD(view.lights, c.light, LightRecord, pmf);
+    return c;
+}
+
+// The light that a receiver in `lanes` samples.
+INLINE LightChoice light_choice(SceneView view, Receiver at, real choice, real2* u, mask lanes) {
+#if ONDE_LIGHT_TREE
+    return tree_choice(view, at, &u->x, lanes);
+#else
+    return power_choice(view, choice, u);
+#endif
+}
+
+INLINE real light_choice_pmf(SceneView view, natural light, Receiver at, mask lanes) {
+#if ONDE_LIGHT_TREE
+    return tree_pmf(view, light, at, lanes);
+#else
+    return RECORD(view.lights, light, LightRecord, pmf);
+#endif
 }
 
 // One light, and a direction to it from a point. The pdf of a delta light is that of the choice
-// alone. Nothing where the light is of none of `kinds`, bits of a constant.
-INLINE LightSample sample_light_of(SceneView view, uint kinds, real3 from, real choice, real2 u,
-                                   mask lanes) {
-    const natural light = choose_light_and_rest(view, choice, &u);
-    const natural kind = RECORD_NATURAL(view.lights, light, LightRecord, kind);
+// alone.
+INLINE LightSample light_sample(SceneView view, Receiver at, real choice, real2 u, mask lanes) {
+    const LightChoice c = light_choice(view, at, choice, &u, lanes);
+    const natural kind = RECORD_NATURAL(view.lights, c.light, LightRecord, kind);
     LightSample s = no_light_sample();
 #define SAMPLE_LIGHT(NAME, name, Record)                                                           \
-    if (HAS_LIGHT(NAME) && (kinds >> LIGHT_##NAME & 1u)) {                                         \
+    if (HAS_LIGHT(NAME)) {                                                                         \
         const mask own = lanes & (kind == (uint)LIGHT_##NAME);                                     \
-        if_any (own) s = choose(own, name##_light_sample(view, light, from, u), s);                \
+        if_any (own) s = choose(own, name##_light_sample(view, c.light, at.position, u), s);       \
     }
     LIGHT_TYPES(SAMPLE_LIGHT)
 #undef SAMPLE_LIGHT
-    s.pdf *= RECORD(view.lights, light, LightRecord, pmf);
+    s.pdf *= c.pmf;
 #if ONDE_GROUPS
-    s.group = RECORD_NATURAL(view.lights, light, LightRecord, group);
+    s.group = RECORD_NATURAL(view.lights, c.light, LightRecord, group);
 #endif
     return s;
 }
 
-INLINE LightSample light_sample(SceneView view, real3 from, real choice, real2 u, mask lanes) {
-    return sample_light_of(view, ~0u, from, choice, u, lanes);
+// Light from infinity, for a point of which no other ray looks for it; nothing where another light
+// is chosen.
+INLINE LightSample far_light_sample(SceneView view, real choice, real2 u, mask lanes) {
+    const LightChoice c = power_choice(view, choice, &u);
+    const natural kind = RECORD_NATURAL(view.lights, c.light, LightRecord, kind);
+    LightSample s = no_light_sample();
+    if (HAS_LIGHT(DIRECTIONAL)) {
+        const mask own = lanes & (kind == (uint)LIGHT_DIRECTIONAL);
+        if_any (own) s = choose(own, directional_light_sample(view, c.light, zero3(), u), s);
+    }
+    if (HAS_LIGHT(ENVIRONMENT)) {
+        const mask own = lanes & (kind == (uint)LIGHT_ENVIRONMENT);
+        if_any (own) s = choose(own, sample_environment_light(view, u, MAP_WHOLE), s);
+    }
+    s.pdf *= c.pmf;
+    return s;
 }
 
-// Light from infinity.
-#define INFINITE_LIGHTS (1u << LIGHT_ENVIRONMENT | 1u << LIGHT_DIRECTIONAL)
-
-// The density with which light_sample would have produced the ray from `from` that hit the
-// emitting surface `s` at distance t. Lanes whose surface is no light get 0.
-INLINE real light_pdf(SceneView view, real3 from, real3 direction, real t, Surface s) {
+// The density with which light_sample would have produced the ray from `at` that hit the emitting
+// surface `s` at distance t. Lanes whose surface is no light get 0.
+INLINE real light_pdf(SceneView view, Receiver at, real3 direction, real t, Surface s, mask lanes) {
     const mask listed = s.light < LIGHT_UNLISTED;
     const natural light = choose(listed, s.light, (natural)(0u));
     const natural kind = RECORD_NATURAL(view.lights, light, LightRecord, kind);
+    const real3 from = at.position;
     real pdf = (real)(0.0f);
 #define LIGHT_PDF(NAME, name, Record)                                                              \
     if (HAS_LIGHT(NAME)) {                                                                         \
@@ -82,14 +114,16 @@ INLINE real light_pdf(SceneView view, real3 from, real3 direction, real t, Surfa
     }
     LIGHT_TYPES(LIGHT_PDF)
 #undef LIGHT_PDF
-    return pdf * RECORD(view.lights, light, LightRecord, pmf);
+    return pdf * light_choice_pmf(view, light, at, lanes & listed);
 }
 
-// The density of a direction to the environment.
-INLINE real environment_found_pdf(SceneView view, real3 direction) {
+// What comes from the environment in a direction, and the density with which light_sample would
+// have taken it.
+INLINE FarLight environment_found(SceneView view, real3 direction) {
     const uint light = view.frame->environment_light;
-    if (light == NO_INDEX) return (real)(0.0f);
-    return environment_pdf(view, direction) * view.lights[light].pmf;
+    FarLight far = environment_look(view, direction, MAP_COMPENSATED);
+    far.pdf *= light == NO_INDEX ? 0.0f : view.lights[light].pmf;
+    return far;
 }
 
 // The start of a ray of light. Needs at least one light.

@@ -51,6 +51,10 @@
 #ifndef ONDE_ENVIRONMENT
     #define ONDE_ENVIRONMENT 1
 #endif
+// Whether the scene has a light tree.
+#ifndef ONDE_LIGHT_TREE
+    #define ONDE_LIGHT_TREE 0
+#endif
 // Whether some material has microfacets, and whether some scatters below or between them.
 #ifndef ONDE_ROUGH
     #define ONDE_ROUGH 1

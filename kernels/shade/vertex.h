@@ -3,6 +3,7 @@
 #ifndef ONDE_SHADE_VERTEX_H
 #define ONDE_SHADE_VERTEX_H
 
+#include "shade/lights/light_type.h"
 #include "shade/shading_normal.h"
 
 // The geometry of a vertex, shared by what happens there.
@@ -13,6 +14,12 @@ typedef struct {
     real t;   // of the ray that came here
     Bsdf bsdf;
 } Vertex;
+
+// The vertex as one that lights light.
+INLINE Receiver vertex_receiver(Vertex v) {
+    const real3 normal = choose(bsdf_transmits(v.bsdf), zero3(), v.surface.normal);
+    return receiver_at(v.surface.position, normal);
+}
 
 // Where a ray leaves the vertex in world direction d.
 INLINE real3 vertex_exit(Vertex v, real3 d) {

@@ -33,9 +33,13 @@
 #define PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                        \
     VECTOR(origin) VECTOR(direction) VECTOR(throughput) REAL(pdf)
 
-// Behind that, where AOVs ask what came before: shares of its light by what the first surface did
-// (see film/light_shares.h), and whether it has met nothing but mirrors.
+// What it has beside that where AOVs ask what came before: shares of its light by what the first
+// surface did (see film/light_shares.h), and whether it has met nothing but mirrors.
 #define TRAIL_COLUMNS(VECTOR, REAL, NATURAL) VECTOR(diffuse) REAL(transmitted) NATURAL(mirrored)
+
+// And where lights are chosen by a tree: the normal at the last vertex, as in Receiver.
+#define RECEIVER_COLUMNS(VECTOR, REAL, NATURAL) VECTOR(normal)
+
 // And where there are panes: how far it has come straight through them.
 #define PANE_COLUMNS(VECTOR, REAL, NATURAL) REAL(passed)
 

@@ -33,12 +33,14 @@ typedef struct {
     uint environment_width, environment_height; // of the map; 0 when it is constant
     float environment_radiance[3];
     float environment_rotation; // in turns
-    float ground_share[3];  // of a sample of light, in all the light that the ground receives: 1 /
-                            // that
-    float ground_height;    // y of the plane
-    float most_radiance;    // of a sample, of films that have what is cut off beyond it
-    uint environment_group; // of lights
-    float pad4;
+    float ground_share[3];   // of a sample of light, in all the light that the ground receives: 1 /
+                             // that
+    float ground_height;     // y of the plane
+    float most_radiance;     // of a sample, of films that have what is cut off beyond it
+    uint environment_group;  // of lights
+    float environment_floor; // the brightness up to which paths draw nothing of the map's pixels
+    float environment_scale[2]; // of densities, over brightness, by MAP_...
+    float pad4, pad5;
     // Inverse cumulative distribution of the pixel filter, offsets in pixels.
     float filter_table[FILTER_TABLE_SIZE];
 } FrameRecord;

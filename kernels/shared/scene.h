@@ -204,10 +204,30 @@ typedef struct {
     uint material; // that emits; 0 where the light has no surface
     uint surface;  // its SurfaceRecord; likewise
     uint group;    // of lights
+    uint trail;    // to its leaf in the light tree, see there
     union {
         LIGHT_TYPES(LIGHT_RECORD)
     } as;
 } LightRecord;
+
+// The light tree is a list of pairs of branches: those of the root, of which every light is below
+// one, then those of each branch that has more than one light. 48 bytes a branch: what bounds its
+// lights, by which its importance to a point is judged (Conty Estevez and Kulla 2018, Importance
+// Sampling of Many Lights with Adaptive Tree Splitting).
+typedef struct {
+    float center[3];
+    float radius;  // of a sphere around them; negative: their power is their importance everywhere
+    float axis[3]; // unit; their normals lie in a cone about it
+    float spread;  // the cosine of the cone's half angle
+    float reach;   // the cosine of the angle to their normals beyond which they send nothing
+    float power;   // a share of that of all lights
+    uint next;     // the first of the pair below, or LIGHT_LEAF and the index of the one light
+    uint unused;
+} LightBranch;
+#define LIGHT_LEAF 0x80000000u
+
+// A light's trail: by bits from the lowest, which branch of each pair from the root on it is below.
+#define MOST_LIGHT_LEVELS 32u
 
 #define WRAP_REPEAT 0u
 #define WRAP_CLAMP 1u
@@ -230,13 +250,15 @@ typedef struct {
     uint unused[2];
 } TextureRecord;
 
-// 16 bytes, one per environment pixel: alias table for choosing a pixel by its power (Vose 1991).
+// An entry of an alias table (Vose 1991). The environment has two for each pixel: of tables that
+// choose one by its whole power, and by what paths draw of it (see shade/environment.h).
 typedef struct {
     float below; // stay when the fraction of the draw is below, else take alias
     uint alias;
-    float pmf;
-    uint unused;
 } AliasRecord;
+#define MAP_TABLES 2u
+#define MAP_WHOLE 0u
+#define MAP_COMPENSATED 1u
 
 // The buffers of a scene beside its tree's, each once, as BVH_BUFFERS in shared/bvh.h.
 // vertices: the first is for triangles that have none of their own. What follows them is there
@@ -246,6 +268,7 @@ typedef struct {
 // bulges: by surface, of scenes with curved triangles; see src/upload/bulge.h.
 // albedos: tables of shared/albedo.h; the first is that of reflection.
 // srgb: 256 entries, from 8-bit sRGB to linear. environment: 3 floats per pixel.
+// environment_alias: MAP_TABLES entries per pixel.
 #define SCENE_BUFFERS(BUFFER)                                                                      \
     BUFFER(SurfaceRecord, surfaces, "surfaces")                                                    \
     BUFFER(uint, bulges, "bulges of curved triangles")                                             \
@@ -256,6 +279,7 @@ typedef struct {
     BUFFER(MaterialRecord, materials, "materials")                                                 \
     BUFFER(uint, albedos, "directional albedos")                                                   \
     BUFFER(LightRecord, lights, "lights")                                                          \
+    BUFFER(LightBranch, light_tree, "light tree")                                                  \
     BUFFER(TextureRecord, textures, "texture records")                                             \
     BUFFER(uint, texels, "texels")                                                                 \
     BUFFER(float, srgb, "sRGB table")                                                              \

@@ -101,8 +101,9 @@ gpu::DeviceFacts default_device() {
 DeviceMemory plan_device_memory(const Scene& scene) {
     const gpu::DeviceFacts facts = default_device();
     DeviceMemory memory{facts.name, resolve_options({}, scene, facts).options, {}};
-    memory.plan = plan_memory(scene, memory.options, facts);
-    memory.plan.add_scene(pack_scene(scene, {.layout = known_layout(facts)}).device_buffers());
+    const PackedScene packed = pack_scene(scene, {.layout = known_layout(facts)});
+    memory.plan = plan_memory(scene, memory.options, facts, packed.features);
+    memory.plan.add_scene(packed.device_buffers());
     return memory;
 }
 

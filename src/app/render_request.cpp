@@ -167,7 +167,8 @@ Session open_session(Machine& machine, Scene scene, const RenderRequest& request
     if (denoiser.denoiser != Denoiser::off) choices.aovs |= denoiser_aovs();
     const ResolvedOptions resolved = resolve_options(choices, scene, machine.device.facts());
     scene.notes.insert(scene.notes.end(), resolved.notes.begin(), resolved.notes.end());
-    SessionOptions options{.render = resolved.options, .bvh = request.bvh};
+    SessionOptions options{
+        .render = resolved.options, .bvh = request.bvh, .lights = request.lights};
     options.bvh.layout = request.layout.value_or(BvhLayout::wide);
     options.choose_layout = !request.layout;
     options.denoiser = denoiser;

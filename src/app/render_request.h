@@ -44,6 +44,7 @@ struct RenderRequest {
     std::string size;              ///< WIDTHxHEIGHT, or empty
     RenderChoices choices;
     BvhOptions bvh;
+    LightOptions lights;
     std::optional<BvhLayout> layout;
     std::string environment;
     MachineRequest machine;

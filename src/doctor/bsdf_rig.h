@@ -75,7 +75,7 @@ class Bsdfs {
     Bsdfs(gpu::Programs& programs, std::vector<Surface> surfaces, uint32_t width)
         : surfaces_(numbered(std::move(surfaces))),
           probe_(programs, scene_of(surfaces_), {"bsdf_eval", "bsdf_sample", "bsdf_lobes"}, width,
-                 {}, {}, "bsdf.cl") {}
+                 {}, {}, {}, "bsdf.cl") {}
 
     const std::vector<Surface>& surfaces() const { return surfaces_; }
     const PackedScene& packed() const { return probe_.packed(); }

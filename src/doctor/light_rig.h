@@ -47,6 +47,86 @@ inline Scene every_light() {
     return scene;
 }
 
+/// Lights of all types that have a place, in a cube of that side, and two that have none.
+inline Scene many_lights(size_t count, float side = 10) {
+    Generator generator(74);
+    const auto place = [&] {
+        return side * glm::vec3(unit(generator), unit(generator), unit(generator));
+    };
+    Scene scene;
+    for (size_t i = 0; i < count; i++) {
+        const glm::vec3 at = place(), way = unit_vector(generator);
+        const Material glow = emitter(std::exp2(4 * unit(generator)), i % 10 == 5);
+        if (i % 5 == 0) {
+            scene.point_lights.push_back({at, glow.emission});
+        } else if (i % 5 == 1) {
+            SpotLight spot{at, way, glow.emission};
+            spot.half_angle = 0.2f + unit(generator);
+            scene.spot_lights.push_back(spot);
+        } else if (i % 5 == 2) {
+            scene.spheres.push_back({at, 0.02f * side, uint32_t(scene.materials.size())});
+            scene.materials.push_back(glow);
+        } else {
+            const glm::vec3 across = glm::cross(way, unit_vector(generator));
+            add_triangle(scene, at, at + 0.05f * side * way, at + 0.05f * side * across, glow);
+        }
+    }
+    scene.directional_lights.push_back({{0, 0.8f, 0.6f}, {1, 2, 3}});
+    scene.environment.radiance = glm::vec3(0.5f);
+    return scene;
+}
+
+/// What points with normals choose of the lights: the light, its probability, what is left of the
+/// number, and the probability of the light that is asked for.
+struct LightChoices {
+    std::vector<uint32_t> light;
+    Column pmf, rest, pmf_of_asked;
+};
+
+struct ChoiceInput {
+    std::vector<glm::vec3> points, normals;
+    Column u, asked;
+};
+
+inline LightChoices choose_lights(SceneProbe& probe, const ChoiceInput& input) {
+    Columns in;
+    add_vectors(in, input.points);
+    add_vectors(in, input.normals);
+    in.push_back(input.u);
+    in.push_back(input.asked);
+    in.push_back(constant_column(input.u.size(), 1));
+    const Columns out = probe.run("light_choice", in, 4);
+    LightChoices choices{{}, out[1], out[2], out[3]};
+    for (const float word : out[0]) choices.light.push_back(from_word(word));
+    return choices;
+}
+
+/// The probabilities of all lights for one point.
+inline std::vector<double> choice_probabilities(SceneProbe& probe, glm::vec3 point,
+                                                glm::vec3 normal) {
+    const size_t count = probe.packed().lights.size();
+    ChoiceInput input{
+        std::vector(count, point), std::vector(count, normal), constant_column(count, 0.5f), {}};
+    for (uint32_t i = 0; i < count; i++) input.asked.push_back(word(i));
+    const LightChoices all = choose_lights(probe, input);
+    return {all.pmf_of_asked.begin(), all.pmf_of_asked.end()};
+}
+
+/// A chi-square test of `count` choices of one point against the lights' probabilities; empty when
+/// they agree.
+inline std::string choice_failure(SceneProbe& probe, glm::vec3 point, glm::vec3 normal,
+                                  size_t count, double significance) {
+    Generator generator(75);
+    std::vector<double> observed(probe.packed().lights.size());
+    const LightChoices chosen =
+        choose_lights(probe, {std::vector(count, point), std::vector(count, normal),
+                              uniform_column(generator, count), word_column(count, 0)});
+    for (const uint32_t light : chosen.light) observed[light]++;
+    std::vector<double> expected = choice_probabilities(probe, point, normal);
+    for (double& pmf : expected) pmf *= double(count);
+    return chi_square_failure(observed, expected, significance);
+}
+
 struct LightSamples {
     std::vector<glm::vec3> direction, radiance;
     Column distance, pdf, delta, valid;

@@ -7,6 +7,8 @@
 #include "gpu/settings.h"
 #include "upload/layout_choice.h"
 
+#include <numeric>
+
 namespace onde::doctor {
 
 namespace {
@@ -99,6 +101,20 @@ void check_choice(Tally& tally, const Probes& probes) {
     tally.expect_none(chi_square_failure(observed, expected, 1e-6), "the choice among lights");
 }
 
+/// Among many lights the choice depends on the point, and tells the same probabilities of itself.
+void check_tree(Tally& tally, const Probes& probes) {
+    SceneProbe probe = probes.of(many_lights(100), {"light_choice"});
+    tally.expect(probe.packed().features.light_tree, [] { return "many lights have no tree"; });
+    for (const glm::vec3 from : {glm::vec3(5), glm::vec3(-3, 2, 5)})
+        for (const glm::vec3 normal : {glm::vec3(0), glm::vec3(0, -1, 0)}) {
+            const std::vector<double> all = choice_probabilities(probe, from, normal);
+            tally.expect_near(std::accumulate(all.begin(), all.end(), 0.0), 1, 1e-5,
+                              "the sum of many lights' probabilities");
+            tally.expect_none(choice_failure(probe, from, normal, probes.count, 1e-6),
+                              "the choice among many lights");
+        }
+}
+
 /// All types side by side: each is chosen, and those that rays find are found with the density of
 /// the choice and of the sample.
 void check_every_type(Tally& tally, const Probes& probes) {
@@ -158,10 +174,13 @@ void check_delta(Tally& tally, const Probes& probes) {
 void check_sky(Tally& tally, const Probes& probes) {
     for (const float rotation : {0.0f, 2.0f}) {
         SceneProbe probe = probes.of(sky::make_sky(rotation), {"environment"});
-        tally.expect_near(sky::integral_of_pdf(probe, rotation), 1, 2e-4,
-                          "the integral of the environment's density");
-        tally.expect_none(sky::distribution_failure(probe, rotation, 4 * probes.count, 1e-6),
-                          fmt::format("an environment turned by {} radians", rotation));
+        for (const uint32_t which : {MAP_WHOLE, MAP_COMPENSATED}) {
+            tally.expect_near(sky::integral_of_pdf(probe, rotation, which), 1, 2e-4,
+                              "the integral of the environment's density");
+            tally.expect_none(
+                sky::distribution_failure(probe, rotation, 4 * probes.count, 1e-6, which),
+                fmt::format("an environment turned by {} radians, table {}", rotation, which));
+        }
         std::vector<glm::vec3> middles;
         for (uint32_t i = 0; i < sky::WIDTH * sky::HEIGHT; i++)
             middles.emplace_back(sky::direction_of((i % sky::WIDTH + 0.5) / sky::WIDTH,
@@ -181,6 +200,7 @@ Finding check_lights(const CheckContext& context) {
     check_triangle(tally, probes);
     check_sphere(tally, probes);
     check_choice(tally, probes);
+    check_tree(tally, probes);
     check_every_type(tally, probes);
     check_delta(tally, probes);
     check_sky(tally, probes);

@@ -13,8 +13,9 @@ struct SceneOnDevice {
     gpu::Buffer<FrameRecord> frame;
 
     SceneOnDevice(const gpu::Device& device, const Scene& description,
-                  const RenderOptions& options = {}, const BvhOptions& bvh = {})
-        : scene(device, pack_scene(description, bvh)), frame(device, 1) {
+                  const RenderOptions& options = {}, const BvhOptions& bvh = {},
+                  const LightOptions& lights = {})
+        : scene(device, pack_scene(description, bvh, lights)), frame(device, 1) {
         const Camera camera = description.cameras.empty() ? Camera{} : description.cameras[0];
         const FrameRecord record = make_frame(scene.packed(), camera, options);
         frame.write(device, std::span(&record, 1));
@@ -26,8 +27,8 @@ class SceneProbe {
     SceneProbe(gpu::Programs& programs, const Scene& description,
                const std::vector<std::string>& names, uint32_t width,
                const RenderOptions& options = {}, const BvhOptions& bvh = {},
-               const std::string& file = "scene.cl")
-        : world_(programs.device(), description, options, bvh),
+               const LightOptions& lights = {}, const std::string& file = "scene.cl")
+        : world_(programs.device(), description, options, bvh, lights),
           probe_(programs, file, width, names, world_.scene.packed().features.defines(),
                  {layout_file(world_.scene.packed().features.layout)}) {}
 

@@ -4,17 +4,19 @@
 #include "doctor/scene_probe.h"
 #include "doctor/statistics.h"
 
+#include <bit>
+
 namespace onde::doctor::sky {
 
 inline constexpr uint32_t WIDTH = 8, HEIGHT = 4;
 
-/// A dim, uneven sky with one very bright pixel at (6, 1).
-inline Scene make_sky(float rotation = 0) {
+/// A dim, uneven sky with one pixel at (6, 1) that is as red as that.
+inline Scene make_sky(float rotation = 0, float sun = 1000) {
     Generator generator(61);
     Scene scene = scene_with_a_speck();
     Image map(WIDTH, HEIGHT, 3);
     for (float& a : map.pixels) a = 0.1f + 0.4f * unit(generator);
-    map.pixel(6, 1)[0] = 1000;
+    map.pixel(6, 1)[0] = sun;
     scene.environment = {glm::vec3(2, 1, 0.5f), std::move(map), rotation};
     return scene;
 }
@@ -29,18 +31,20 @@ inline glm::dvec3 direction_of(double u, double v, double rotation) {
     return {c * d.x + s * d.z, d.y, -s * d.x + c * d.z};
 }
 
+/// What rays in these directions find, and directions sampled by x and y from the tables `which`.
 inline Columns look(SceneProbe& probe, const std::vector<glm::vec3>& directions, Column x = {},
-                    Column y = {}) {
+                    Column y = {}, uint32_t which = MAP_WHOLE) {
     Columns in;
     add_vectors(in, directions);
     in.push_back(x.empty() ? constant_column(directions.size(), 0.5f) : std::move(x));
     in.push_back(y.empty() ? constant_column(directions.size(), 0.5f) : std::move(y));
+    in.push_back(constant_column(directions.size(), std::bit_cast<float>(which)));
     return probe.run("environment", in, 12);
 }
 
 /// The density over the whole sphere, by the midpoints of a grid that is finer than the map, so
 /// that the steps of the density lie between.
-inline double integral_of_pdf(SceneProbe& probe, double rotation) {
+inline double integral_of_pdf(SceneProbe& probe, double rotation, uint32_t which = MAP_WHOLE) {
     constexpr uint32_t FINE = 32;
     std::vector<glm::vec3> directions;
     std::vector<double> weights;
@@ -51,7 +55,7 @@ inline double integral_of_pdf(SceneProbe& probe, double rotation) {
             weights.push_back(2 * M_PI * M_PI * std::sin(M_PI * v) /
                               (WIDTH * HEIGHT * FINE * FINE));
         }
-    const Column pdf = look(probe, directions)[8];
+    const Column pdf = look(probe, directions, {}, {}, which)[8];
     double sum = 0;
     for (size_t i = 0; i < pdf.size(); i++) sum += double(pdf[i]) * weights[i];
     return sum;
@@ -59,12 +63,12 @@ inline double integral_of_pdf(SceneProbe& probe, double rotation) {
 
 /// A chi-square test of `count` samples against the density; empty when they agree.
 inline std::string distribution_failure(SceneProbe& probe, double rotation, size_t count,
-                                        double significance) {
+                                        double significance, uint32_t which = MAP_WHOLE) {
     constexpr size_t FINE = 4; // bins of a pixel along each side
     constexpr size_t COLUMNS = WIDTH * FINE, ROWS = HEIGHT * FINE;
     Generator generator(63);
     const Column x = uniform_column(generator, count), y = uniform_column(generator, count);
-    const Columns out = look(probe, std::vector<glm::vec3>(count, {0, 1, 0}), x, y);
+    const Columns out = look(probe, std::vector<glm::vec3>(count, {0, 1, 0}), x, y, which);
     std::vector<double> observed(COLUMNS * ROWS), expected;
     for (size_t i = 0; i < count; i++) {
         const glm::dvec3 d = vector_at(out, 9, i);
@@ -79,7 +83,7 @@ inline std::string distribution_failure(SceneProbe& probe, double rotation, size
     for (size_t i = 0; i < COLUMNS * ROWS; i++)
         middles.emplace_back(direction_of((double(i % COLUMNS) + 0.5) / COLUMNS,
                                           (double(i / COLUMNS) + 0.5) / ROWS, rotation));
-    const Column pdf = look(probe, middles)[8];
+    const Column pdf = look(probe, middles, {}, {}, which)[8];
     for (size_t i = 0; i < pdf.size(); i++) {
         const double sine = std::sqrt(1 - std::pow(double(middles[i].y), 2));
         expected.push_back(double(count) * double(pdf[i]) * sine * 2 * M_PI * M_PI /

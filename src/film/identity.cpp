@@ -135,8 +135,8 @@ std::string hash_of_names(const IdNames& names) {
     return hasher.hex();
 }
 
-FilmIdentity film_identity(const Scene& scene, const RenderOptions& options,
-                           const BvhOptions& bvh) {
+FilmIdentity film_identity(const Scene& scene, const RenderOptions& options, const BvhOptions& bvh,
+                           LightSampler lights) {
     return {scene_hash(scene),
             options.camera,
             options.width,
@@ -153,7 +153,8 @@ FilmIdentity film_identity(const Scene& scene, const RenderOptions& options,
             options.clamp,
             options.noise,
             options.noise_exposure,
-            bvh.watertight};
+            bvh.watertight,
+            lights};
 }
 
 std::string device_class(const gpu::DeviceFacts& facts) {

@@ -7,6 +7,7 @@
 #include "render/options.h"
 #include "scene/fields.h"
 #include "scene/id_names.h"
+#include "upload/lights.h"
 
 #include <map>
 #include <string>
@@ -28,6 +29,7 @@ struct FilmIdentity {
     std::string ids;                       ///< a hash of the names of what it counts, or NO_IDS
     float clamp, noise, noise_exposure;
     bool watertight;
+    LightSampler light_sampler;
 
     bool has_ids() const { return ids != NO_IDS; }
     FilmPlanes planes() const { return {aovs, uint32_t(light_groups.size())}; }
@@ -51,13 +53,15 @@ constexpr auto fields_of(TypeTag<FilmIdentity>) {
                       field_without_key(&I::aovs, "set of AOVs"),
                       field_without_key(&I::light_groups, "list of light groups"),
                       field_without_key(&I::ids, "hash of names"),
-                      field_without_key(&I::watertight, "triangle test")};
+                      field_without_key(&I::watertight, "triangle test"),
+                      field_without_key(&I::light_sampler, "light sampler")};
 }
 
 /// FilmIdentity::ids of films that count things of these names.
 std::string hash_of_names(const IdNames& names);
 
-FilmIdentity film_identity(const Scene& scene, const RenderOptions& options, const BvhOptions& bvh);
+FilmIdentity film_identity(const Scene& scene, const RenderOptions& options, const BvhOptions& bvh,
+                           LightSampler lights);
 
 /// What computed the samples, as far as it decides their bits.
 struct FilmMaker {

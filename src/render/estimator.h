@@ -35,10 +35,11 @@ class Estimator {
 
 /// The path tracer, which has no buffers of its own. Where the film has AOVs of light and guides,
 /// paths know more about what came before; where it has groups of lights, connections know theirs;
-/// and where the scene has panes, both know what they pass.
+/// where the scene has a light tree, paths know the normal at their last vertex, and where it has
+/// panes, both know what they pass.
 class PathEstimator : public Estimator {
   public:
-    PathEstimator(const SceneFeatures& features, const RenderOptions& options);
+    PathEstimator(const RenderOptions& options, const SceneFeatures& scene);
     const EstimatorShape& shape() const override { return shape_; }
     uint32_t bind(gpu::Kernel&, uint32_t first) const override { return first; }
 

@@ -114,6 +114,8 @@ FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
     frame.environment_group = scene.environment_group;
     frame.environment_width = scene.environment_width;
     frame.environment_height = scene.environment_height;
+    frame.environment_floor = scene.environment_floor;
+    std::ranges::copy(scene.environment_scale, frame.environment_scale);
     copy(frame.environment_radiance, scene.environment_radiance);
     const float turns = scene.environment_rotation * float(0.5 / std::numbers::pi);
     frame.environment_rotation = std::abs(turns) > 1.0f ? turns - std::round(turns) : turns;

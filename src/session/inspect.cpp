@@ -109,9 +109,8 @@ TreeReport inspect_whitted(const IntegratorContext& c, const PixelSample& at) {
 
 PathReport inspect_path(const IntegratorContext& c, const PixelSample& at) {
     const Inspection inspection(c, at);
-    gpu::Program program =
-        inspection.build(PathEstimator(c.scene.packed().features, inspection.options()).shape(),
-                         "inspect/path.cl", "inspect_path");
+    const PathEstimator estimator(inspection.options(), c.scene.packed().features);
+    gpu::Program program = inspection.build(estimator.shape(), "inspect/path.cl", "inspect_path");
     gpu::Kernel& kernel = program.kernel("inspect_path");
     const gpu::Buffer<BounceReport> bounces(c.device(), c.options.depth);
     const gpu::Buffer<uint32_t> count(c.device(), 1);

@@ -23,8 +23,8 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorContext& context) {
     switch (context.options.integrator) {
     case IntegratorKind::path:
         return std::make_unique<WaveIntegrator>(context, [&](RenderBuffers&) {
-            return std::make_unique<PathEstimator>(context.scene.packed().features,
-                                                   context.options);
+            return std::make_unique<PathEstimator>(context.options,
+                                                   context.scene.packed().features);
         });
     case IntegratorKind::whitted:
         return make_whitted(context);
@@ -44,12 +44,12 @@ static void plan_whitted(RenderBuffers& buffers, const Scene& scene, const Rende
 }
 
 MemoryPlan plan_memory(const Scene& scene, const RenderOptions& options,
-                       const gpu::DeviceFacts& facts) {
+                       const gpu::DeviceFacts& facts, const SceneFeatures& features) {
     RenderBuffers buffers;
     plan_film(buffers.film, options);
     switch (options.integrator) {
     case IntegratorKind::path:
-        plan_engine(buffers, PathEstimator(material_features(scene), options).shape(), options);
+        plan_engine(buffers, PathEstimator(options, features).shape(), options);
         break;
     case IntegratorKind::whitted:
         plan_whitted(buffers, scene, options);

@@ -58,15 +58,15 @@ Session::Session(gpu::Programs& programs, Scene scene, SessionOptions options)
     for (const std::string& sentence : scene_.notes) note(sentence);
     note_mapping();
     denoiser_ = make_denoiser();
-    fit_waves({}); // what does not fit at all is found before the scene is packed
+    fit_waves(PackedScene{}); // what does not fit at all is found before the scene is packed
     if (options_.choose_layout)
         options_.bvh.layout =
             suitable_layout(programs_, [&](std::string sentence) { note(std::move(sentence)); });
     const Timer timer;
-    PackedScene packed = pack_scene(scene_, options_.bvh);
+    PackedScene packed = pack_scene(scene_, options_.bvh, options_.lights);
     pack_seconds_ = timer.seconds();
     packed.features = features_of(packed);
-    fit_waves(packed.device_buffers());
+    fit_waves(packed);
     placed_ = std::make_unique<DeviceScene>(device(), std::move(packed));
 }
 
@@ -93,6 +93,7 @@ void Session::note_mapping() {
 SceneFeatures Session::features_of(const PackedScene& packed) const {
     SceneFeatures features = options_.features.value_or(packed.features);
     features.layout = packed.features.layout;
+    features.light_tree = packed.features.light_tree;
     return options_.further_features ? joined(features, *options_.further_features) : features;
 }
 
@@ -104,11 +105,11 @@ bool Session::halve_waves() {
     return true;
 }
 
-void Session::fit_waves(const std::vector<gpu::BufferSize>& scene) {
+void Session::fit_waves(const PackedScene& scene) {
     const uint32_t asked = options_.render.settings.wave_size;
     const auto plan = [&] {
-        MemoryPlan all = plan_memory(scene_, options_.render, device().facts());
-        all.add_scene(scene);
+        MemoryPlan all = plan_memory(scene_, options_.render, device().facts(), scene.features);
+        all.add_scene(scene.device_buffers());
         return all;
     };
     MemoryPlan fitted = plan();
@@ -131,7 +132,7 @@ const PackedScene& Session::packed() {
 }
 
 MemoryPlan Session::memory_plan() {
-    MemoryPlan plan = plan_memory(scene_, options_.render, device().facts());
+    MemoryPlan plan = plan_memory(scene_, options_.render, device().facts(), packed().features);
     plan.add_scene(packed().device_buffers());
     return plan;
 }
@@ -139,7 +140,7 @@ MemoryPlan Session::memory_plan() {
 void Session::update() {
     if (change_ == SceneChange::none) return;
     const Timer timer;
-    placed_->update(device(), scene_, change_, options_.bvh);
+    placed_->update(device(), scene_, change_, options_.bvh, options_.lights);
     placed_->set_features(features_of(placed_->packed()));
     pack_seconds_ = timer.seconds();
     change_ = SceneChange::none;
@@ -215,7 +216,7 @@ KeptFilm Session::keep_film() {
 FilmHeader Session::film_header() const {
     const RenderOptions& o = options_.render;
     const uint32_t samples = o.picture_samples > 0 ? o.picture_samples : o.samples;
-    return {film_identity(scene_, o, options_.bvh),
+    return {film_identity(scene_, o, options_.bvh, options_.lights.sampler),
             {ONDE_VERSION, programs_.sources().hash(), device_class(device().facts())},
             device().facts().name,
             samples,
@@ -306,7 +307,7 @@ void Session::set_options(const RenderOptions& options) {
     const RenderOptions before = std::exchange(options_.render, options);
     const bool same_film = same_but_for_length(before, options);
     try {
-        if (!same_film) fit_waves(packed().device_buffers());
+        if (!same_film) fit_waves(packed());
         if (options.width != before.width || options.integrator != before.integrator)
             denoiser_ = make_denoiser();
     } catch (...) {

@@ -24,6 +24,7 @@ namespace onde {
 struct SessionOptions {
     RenderOptions render{};
     BvhOptions bvh{};
+    LightOptions lights{};
     /// Whether bvh.layout is replaced by what suits the device, measured once on all but CPUs.
     bool choose_layout = true;
     /// Programs are built for these instead of for just what the scene has, so that sessions of
@@ -138,8 +139,8 @@ class Session {
     void note_waves(uint32_t asked);
     SceneFeatures features_of(const PackedScene& packed) const;
     bool halve_waves();
-    /// Halves waves until the render fits beside these buffers; throws DeviceError if none do.
-    void fit_waves(const std::vector<gpu::BufferSize>& scene);
+    /// Halves waves until the render fits beside the scene; throws DeviceError if none do.
+    void fit_waves(const PackedScene& scene);
     void changed(SceneChange change);
     /// Brings the device scene up to the edits.
     void update();

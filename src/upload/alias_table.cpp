@@ -4,16 +4,16 @@
 
 namespace onde {
 
-std::vector<AliasRecord> build_alias_table(std::span<const double> weights) {
+std::vector<AliasEntry> build_alias_table(std::span<const double> weights) {
     const size_t count = weights.size();
-    std::vector<AliasRecord> table(count);
+    std::vector<AliasEntry> table(count);
     if (count == 0) return table;
     const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
     std::vector<double> scaled(count); // mean 1
     std::vector<uint32_t> small, large;
     for (uint32_t i = 0; i < count; i++) {
         const double share = total > 0 ? weights[i] / total : 1.0 / double(count);
-        table[i] = {1.0f, i, float(share), 0};
+        table[i] = {1.0f, i, float(share)};
         scaled[i] = share * double(count);
         (scaled[i] < 1 ? small : large).push_back(i);
     }

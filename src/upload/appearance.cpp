@@ -4,13 +4,11 @@
 #include "scene/light_groups.h"
 #include "scene/phong.h"
 #include "upload/albedo_tables.h"
-#include "upload/alias_table.h"
 #include "upload/words.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 #include <set>
 
 namespace onde {
@@ -245,25 +243,6 @@ std::vector<float> srgb_table() {
         table[size_t(i)] = float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
     }
     return table;
-}
-
-PackedEnvironment pack_environment(const Environment& environment) {
-    PackedEnvironment packed;
-    if (!environment.map) return packed;
-    const Image& map = *environment.map;
-    packed.width = map.width;
-    packed.height = map.height;
-    packed.pixels = map.pixels;
-    std::vector<double> weights(size_t(map.width) * map.height);
-    for (uint32_t y = 0; y < map.height; y++) {
-        const double sine = std::sin(std::numbers::pi * (y + 0.5) / map.height);
-        for (uint32_t x = 0; x < map.width; x++) {
-            const auto p = map.pixel(x, y);
-            weights[size_t(y) * map.width + x] = sine * (double(p[0]) + p[1] + p[2]);
-        }
-    }
-    packed.alias = build_alias_table(weights);
-    return packed;
 }
 
 } // namespace onde

@@ -1,4 +1,4 @@
-// Materials, textures and the environment map as device records.
+// Materials and textures as device records.
 #pragma once
 
 #include "scene/scene.h"
@@ -46,14 +46,5 @@ PackedTextures pack_textures(const Scene& scene);
 
 /// Linear values of the 256 sRGB codes (IEC 61966-2-1).
 std::vector<float> srgb_table();
-
-struct PackedEnvironment {
-    uint32_t width = 0, height = 0; ///< 0 when the environment is constant
-    std::vector<float> pixels;      ///< 3 per pixel, without the scale
-    std::vector<AliasRecord> alias; ///< one per pixel, by its power
-};
-/// A pixel's weight covers its neighbours too, so that every direction with light, under
-/// bilinear lookups, can be drawn.
-PackedEnvironment pack_environment(const Environment& environment);
 
 } // namespace onde

@@ -11,12 +11,12 @@ DeviceScene::DeviceScene(const gpu::Device& device, PackedScene packed)
 }
 
 void DeviceScene::update(const gpu::Device& device, const Scene& scene, SceneChange change,
-                         const BvhOptions& options) {
+                         const BvhOptions& options, const LightOptions& lights) {
     // What is packed anew lies elsewhere in the host's memory.
 #define ONDE_REMEMBER(Type, name, words) const Type* const name##_before = packed_.name.data();
     SCENE_BUFFERS(ONDE_REMEMBER)
 #undef ONDE_REMEMBER
-    repack_scene(packed_, scene, change, options);
+    repack_scene(packed_, scene, change, options, lights);
 #define ONDE_COPY_NEW(Type, name, words)                                                           \
     if (packed_.name.data() != name##_before)                                                      \
         name##_ = gpu::Buffer<Type>(device, std::span<const Type>(packed_.name));

@@ -18,7 +18,7 @@ class DeviceScene {
     /// Takes over what has changed in the scene since it was packed; see repack_scene(). No kernel
     /// may be running. What was bound before is to be bound again.
     void update(const gpu::Device& device, const Scene& scene, SceneChange change,
-                const BvhOptions& options);
+                const BvhOptions& options, const LightOptions& lights);
     /// Replaces what kernels are compiled for; it must cover the scene.
     void set_features(const SceneFeatures& features) { packed_.features = features; }
     /// Where a camera of the scene has become orthographic; it is not in what is bound.

@@ -4,6 +4,7 @@
 #include "scene/load.h"
 #include "upload/alias_table.h"
 #include "upload/appearance.h"
+#include "upload/light_tree.h"
 #include "upload/words.h"
 
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace onde {
 namespace {
 
 constexpr double PI = std::numbers::pi;
+
+/// With fewer lights that have a place the tree does not pay for its time.
+constexpr size_t ENOUGH_FOR_TREE = 12;
 
 double luminance(glm::vec3 c) {
     return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
@@ -155,9 +159,31 @@ void add_environment(const Scene& scene, double scene_radius, WeightedLights& li
                scene.environment.group);
 }
 
+/// What the local ones, the first, have in common with materials decides where they shine.
+std::vector<LightBounds> bounds_of(const Scene& scene, const WeightedLights& lights, size_t local) {
+    const double total = std::accumulate(lights.power.begin(), lights.power.end(), 0.0);
+    std::vector<LightBounds> bounds;
+    for (size_t i = 0; i < local; i++) {
+        const LightRecord& light = lights.records[i];
+        const bool has_material = light.kind != LIGHT_POINT && light.kind != LIGHT_SPOT;
+        const bool two_sided = has_material && scene.materials[light.material].two_sided;
+        bounds.push_back(onde::bounds_of(light, two_sided, lights.power[i] / total));
+    }
+    return bounds;
+}
+
+void add_tree(const Scene& scene, const WeightedLights& lights, size_t local, LightList& list) {
+    const double total = std::accumulate(lights.power.begin(), lights.power.end(), 0.0);
+    std::vector<double> everywhere(lights.power.begin() + ptrdiff_t(local), lights.power.end());
+    for (double& power : everywhere) power /= total;
+    LightTree tree = build_light_tree(bounds_of(scene, lights, local), everywhere);
+    for (size_t i = 0; i < list.records.size(); i++) list.records[i].trail = tree.trails[i];
+    list.tree = std::move(tree.branches);
+}
+
 } // namespace
 
-LightList build_lights(const Scene& scene, FlatGeometry& flat) {
+LightList build_lights(const Scene& scene, FlatGeometry& flat, LightSampler sampler) {
     const SceneBounds bounds = scene_bounds(scene);
     const double radius = std::max(0.5 * double(glm::length(bounds.high - bounds.low)), 1e-6);
     WeightedLights lights{LightGroups(scene)};
@@ -173,13 +199,16 @@ LightList build_lights(const Scene& scene, FlatGeometry& flat) {
 
     LightList list;
     if (lights.records.size() > finite) list.environment = uint32_t(finite);
-    const std::vector<AliasRecord> alias = build_alias_table(lights.power);
+    const std::vector<AliasEntry> alias = build_alias_table(lights.power);
     for (size_t i = 0; i < alias.size(); i++) {
         lights.records[i].pmf = alias[i].pmf;
         lights.records[i].alias_below = alias[i].below;
         lights.records[i].alias = alias[i].alias;
     }
-    list.records = std::move(lights.records);
+    list.records = lights.records;
+    const bool is_many = local >= ENOUGH_FOR_TREE;
+    if (sampler == LightSampler::tree || (sampler == LightSampler::automatic && is_many))
+        add_tree(scene, lights, local, list);
     return list;
 }
 

@@ -24,7 +24,8 @@ std::vector<std::string> SceneFeatures::defines() const {
     return all;
 }
 
-SceneFeatures material_features(const Scene& scene) {
+/// What of them materials and lights decide.
+static SceneFeatures material_features(const Scene& scene) {
     SceneFeatures features;
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         const Material material = path_material(scene, i);
@@ -71,6 +72,7 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
         features.culling |= !material.double_sided;
     }
     for (const LightRecord& light : packed.lights) features.lights |= 1u << light.kind;
+    features.light_tree = !packed.light_tree.empty();
     features.ground = packed.ground_share != glm::vec3(0.0f);
     features.environment = packed.environment_light != NO_INDEX;
     // Rounded up, so that scenes of similar depth share a compiled program.
@@ -109,10 +111,12 @@ static void pack_appearance(PackedScene& packed, const Scene& scene) {
     packed.albedos = std::move(materials.albedos);
 }
 
-static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry flat) {
+static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry flat,
+                          LightSampler sampler) {
     packed.bounds = bounds_for_parallel_rays(scene);
-    LightList lights = build_lights(scene, flat);
+    LightList lights = build_lights(scene, flat, sampler);
     packed.lights = std::move(lights.records);
+    packed.light_tree = std::move(lights.tree);
     packed.environment_light = lights.environment;
     packed.surfaces = std::move(flat.surfaces);
     packed.bulges = std::move(flat.bulges);
@@ -123,24 +127,29 @@ static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry 
     packed.objects = std::move(flat.objects);
 }
 
-PackedScene pack_scene(const Scene& scene, const BvhOptions& options) {
+static void put_environment(PackedScene& packed, PackedEnvironment environment) {
+    packed.environment = std::move(environment.pixels);
+    packed.environment_alias = std::move(environment.alias);
+    packed.environment_width = environment.width;
+    packed.environment_height = environment.height;
+    packed.environment_floor = environment.floor;
+    std::ranges::copy(environment.scale, packed.environment_scale);
+}
+
+PackedScene pack_scene(const Scene& scene, const BvhOptions& options, const LightOptions& lights) {
     if (scene.materials.size() > MOST_MATERIALS)
         throw InputError("the scene has {} materials; at most {} can be told apart",
                          scene.materials.size(), MOST_MATERIALS);
     PackedScene packed;
     FlatGeometry flat = flatten_geometry(scene);
     build_tree(packed, flat, options);
-    pack_geometry(packed, scene, std::move(flat));
+    pack_geometry(packed, scene, std::move(flat), lights.sampler);
     pack_appearance(packed, scene);
     PackedTextures textures = pack_textures(scene);
     packed.textures = std::move(textures.records);
     packed.texels = std::move(textures.texels);
     packed.srgb = srgb_table();
-    PackedEnvironment environment = pack_environment(scene.environment);
-    packed.environment = std::move(environment.pixels);
-    packed.environment_alias = std::move(environment.alias);
-    packed.environment_width = environment.width;
-    packed.environment_height = environment.height;
+    put_environment(packed, pack_environment(scene.environment, lights.compensation));
     packed.ground_share = ground_share(scene);
     packed.ground_height = scene.environment.ground.value_or(packed.ground_height);
     packed.environment_radiance = scene.environment.radiance;
@@ -158,13 +167,13 @@ static bool refit_tree(PackedScene& packed, const FlatGeometry& flat, const BvhO
 }
 
 void repack_scene(PackedScene& packed, const Scene& scene, SceneChange change,
-                  const BvhOptions& options) {
+                  const BvhOptions& options, const LightOptions& lights) {
     if (change >= SceneChange::transforms) {
         FlatGeometry flat = flatten_geometry(scene);
         const bool same_primitives = change == SceneChange::transforms;
         if (!same_primitives || !refit_tree(packed, flat, options))
             build_tree(packed, flat, options);
-        pack_geometry(packed, scene, std::move(flat));
+        pack_geometry(packed, scene, std::move(flat), lights.sampler);
     }
     pack_appearance(packed, scene);
     packed.environment_group = LightGroups(scene)(scene.environment.group);

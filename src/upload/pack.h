@@ -31,8 +31,9 @@ struct PackedScene : SceneArrays {
     glm::vec3 environment_radiance{0.0f};  ///< scale of the map, where there is one
     uint32_t environment_group = 0;        ///< of light_groups()
     float environment_rotation = 0.0f;     ///< radians
-    std::optional<Extent> bounds{};        ///< of the geometry, where a camera has parallel rays
-    glm::vec3 ground_share{0.0f};          ///< one over the irradiance that the ground receives
+    float environment_floor = 0, environment_scale[MAP_TABLES] = {1, 1}; ///< of PackedEnvironment
+    std::optional<Extent> bounds{}; ///< of the geometry, where a camera has parallel rays
+    glm::vec3 ground_share{0.0f};   ///< one over the irradiance that the ground receives
     float ground_height = std::numeric_limits<float>::infinity(); ///< no ground: above all rays
     uint32_t environment_width = 0, environment_height = 0;       ///< 0 when it is constant
     ObjectMap objects;
@@ -45,10 +46,8 @@ struct PackedScene : SceneArrays {
 };
 
 /// The scene must satisfy check_scene().
-PackedScene pack_scene(const Scene& scene, const BvhOptions& options = {});
-
-/// What of a scene's features its materials and lights decide.
-SceneFeatures material_features(const Scene& scene);
+PackedScene pack_scene(const Scene& scene, const BvhOptions& options = {},
+                       const LightOptions& lights = {});
 
 /// The box of a scene with an orthographic camera; nothing for any other.
 std::optional<Extent> bounds_for_parallel_rays(const Scene& scene);
@@ -63,10 +62,10 @@ enum class SceneChange {
 
 /// Packs what has changed anew: the same, but for the tree's shape, as pack_scene() of the scene
 /// as it is now. Where only transforms have changed, the tree is fitted to them as long as that
-/// makes it no more than MOST_REFIT_COST times as costly as it was built. `options` are those that
-/// it was packed with.
+/// makes it no more than MOST_REFIT_COST times as costly as it was built. `options` and `lights`
+/// are those that it was packed with.
 void repack_scene(PackedScene& packed, const Scene& scene, SceneChange change,
-                  const BvhOptions& options = {});
+                  const BvhOptions& options = {}, const LightOptions& lights = {});
 inline constexpr double MOST_REFIT_COST = 1.5;
 
 } // namespace onde

@@ -37,7 +37,8 @@ inline FilmHeader made_header(uint32_t samples) {
                        0.0f,
                        0.0f,
                        0.0f,
-                       false};
+                       false,
+                       LightSampler::automatic};
     header.maker = {"0.1.0", "fedcba9876543210", "a platform, CPU, driver 1"};
     header.device = "a device";
     header.samples = samples;

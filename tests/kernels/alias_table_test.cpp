@@ -15,7 +15,7 @@ TEST_CASE("an alias table gives every entry the probability of its weight") {
         weights[count / 2] = 3;
         double total = 0;
         for (double w : weights) total += w;
-        const std::vector<AliasRecord> table = build_alias_table(weights);
+        const std::vector<AliasEntry> table = build_alias_table(weights);
         std::vector<double> share(count);
         for (size_t i = 0; i < count; i++) {
             share[i] += double(table[i].below) / double(count);
@@ -30,6 +30,6 @@ TEST_CASE("an alias table gives every entry the probability of its weight") {
 }
 
 TEST_CASE("weights that are all zero are taken as equal") {
-    for (const AliasRecord& record : build_alias_table(std::vector<double>(4, 0.0)))
+    for (const AliasEntry& record : build_alias_table(std::vector<double>(4, 0.0)))
         CHECK(record.pmf == 0.25f);
 }

@@ -57,16 +57,54 @@ TEST_CASE("a direction comes back from its place on the map") {
     }
 }
 
-TEST_CASE("the environment's pdf integrates to one") {
-    SceneProbe probe(make_sky(0.3f), {"environment"});
-    CHECK(integral_of_pdf(probe, 0.3f) == Approx(1).epsilon(1e-4));
+TEST_CASE("the environment's pdf integrates to one, by both tables") {
+    for (float sun : {1000.0f, 1.0f}) {
+        INFO("sun " << sun);
+        SceneProbe probe(make_sky(0.3f, sun), {"environment"});
+        for (uint32_t which : {MAP_WHOLE, MAP_COMPENSATED})
+            CHECK(integral_of_pdf(probe, 0.3f, which) == Approx(1).epsilon(1e-4));
+    }
 }
 
 TEST_CASE("environment samples are distributed as their pdf, around a very bright pixel too") {
-    for (float rotation : {0.0f, 2.0f}) {
-        INFO("rotation " << rotation);
-        SceneProbe probe(make_sky(rotation), {"environment"});
-        CHECK(distribution_failure(probe, double(rotation), 1 << 18, 1e-4 / 2) == "");
+    for (float rotation : {0.0f, 2.0f})
+        for (float sun : {1000.0f, 1.0f})
+            for (uint32_t which : {MAP_WHOLE, MAP_COMPENSATED}) {
+                INFO("rotation " << rotation << ", sun " << sun << ", tables " << which);
+                SceneProbe probe(make_sky(rotation, sun), {"environment"});
+                CHECK(distribution_failure(probe, double(rotation), 1 << 18, 1e-4 / 8, which) ==
+                      "");
+            }
+}
+
+TEST_CASE("compensated samples leave out what is darker than half of the mean") {
+    Scene scene = make_sky(0, 1);
+    Image& map = *scene.environment.map;
+    for (uint32_t x = 0; x < WIDTH; x++) std::ranges::fill(map.pixel(x, 2), 0.02f * float(x));
+    SceneProbe probe(scene, {"environment"});
+    std::vector<glm::vec3> middles;
+    std::vector<double> brightness;
+    double sum = 0, weights = 0;
+    for (uint32_t y = 0; y < HEIGHT; y++)
+        for (uint32_t x = 0; x < WIDTH; x++) {
+            const auto p = map.pixel(x, y);
+            middles.emplace_back(direction_of((x + 0.5) / WIDTH, (y + 0.5) / HEIGHT, 0));
+            brightness.push_back(double(p[0]) + double(p[1]) + double(p[2]));
+            const double sine = std::sin(M_PI * (y + 0.5) / HEIGHT);
+            sum += brightness.back() * sine;
+            weights += sine;
+        }
+    const Column whole = look(probe, middles, {}, {}, MAP_WHOLE)[8];
+    const Column above = look(probe, middles, {}, {}, MAP_COMPENSATED)[8];
+    const double half = MIS_COMPENSATION * sum / weights;
+    const auto brightest = size_t(std::ranges::max_element(brightness) - brightness.begin());
+    const double scale = double(above[brightest]) / double(whole[brightest]) *
+                         brightness[brightest] / (brightness[brightest] - half);
+    CHECK(std::ranges::count_if(brightness, [&](double b) { return b < half; }) > 5);
+    for (size_t i = 0; i < middles.size(); i++) {
+        INFO("pixel " << i << " of brightness " << brightness[i] << ", half of the mean " << half);
+        const double expected = std::max(1 - half / brightness[i], 0.0) * scale * double(whole[i]);
+        CHECK(double(above[i]) == Approx(expected).margin(2e-3));
     }
 }
 

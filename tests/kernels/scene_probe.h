@@ -18,8 +18,8 @@ class SceneOnDevice : public doctor::SceneOnDevice {
 class SceneProbe : public doctor::SceneProbe {
   public:
     SceneProbe(const Scene& description, const std::vector<std::string>& names, uint32_t width = 1,
-               const RenderOptions& options = {})
-        : doctor::SceneProbe(programs(), description, names, width, options) {}
+               const RenderOptions& options = {}, const LightOptions& lights = {})
+        : doctor::SceneProbe(programs(), description, names, width, options, {}, lights) {}
 };
 
 } // namespace onde::test

@@ -91,6 +91,7 @@ inline SceneFeatures all_features(const SceneFeatures& own) {
     features.nearest_filters = own.nearest_filters;
     features.wide_textures = own.wide_textures;
     features.vertex_colors = own.vertex_colors;
+    features.light_tree = own.light_tree;
     return features;
 }
 

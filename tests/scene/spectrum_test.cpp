@@ -1,4 +1,5 @@
 // Spectra and the colours that the eye makes of them, against published numbers.
+#include "scene/coat.h"
 #include "scene/spectrum/curve.h"
 
 #include <catch2/catch.hpp>
@@ -72,4 +73,12 @@ TEST_CASE("metals reflect what they are known to") {
     check_near(color_of("Cu"), {0.932, 0.623, 0.522}, 0.06);
     CHECK_FALSE(conductor_index("Xx"));
     CHECK(normal_reflectance(1.5, 0.0) == Approx(0.04));
+}
+
+TEST_CASE("a coat darkens and saturates what is under it, but for black and white") {
+    CHECK(onde::internal_reflectance(1.5) == Approx(0.5963).epsilon(1e-3)); // as Egan and Hilgeman
+    CHECK(onde::internal_reflectance(1.0) == Approx(0.0).margin(1e-9));
+    check_near(glm::dvec3(onde::coated_albedo(glm::vec3(0, 0.5f, 1), 1.5)), {0.0, 0.2876, 1.0},
+               1e-3);
+    check_near(glm::dvec3(onde::coated_albedo(glm::vec3(0.3f), 1.0)), glm::dvec3(0.3), 1e-6);
 }

@@ -142,6 +142,21 @@ TEST_CASE("trees of all layouts follow moves") {
     }
 }
 
+TEST_CASE("lights that move and lights that are added get the light tree of a new session") {
+    SessionOptions options = small_session();
+    options.lights.sampler = LightSampler::tree;
+    check_edit(options, [](Session& session) {
+        session.set_instance_transform(LAMP, moved({0.3f, 3.5f, 0}));
+    });
+    check_edit(small_session(), [](Session& session) {
+        CHECK_FALSE(session.packed().features.light_tree);
+        Material glowing = session.scene().materials[RED];
+        glowing.emission = glm::vec3(0.5f);
+        session.set_material(RED, glowing);
+        CHECK(session.packed().features.light_tree);
+    });
+}
+
 TEST_CASE("other options make the picture of a new session") {
     check_edit(small_session(), [](Session& session) {
         RenderOptions options = session.options();

@@ -5,14 +5,21 @@
 #include "shade/environment.h"
 #include "shade/lights/light_type.h"
 
-INLINE LightSample environment_light_sample(SceneView view, natural light, real3 from, real2 u) {
+// By the tables of `which`.
+INLINE LightSample sample_environment_light(SceneView view, real2 u, uint which) {
     LightSample s = no_light_sample();
-    s.direction = environment_sample(view, u);
+    s.direction = environment_sample(view, u, which);
     s.distance = (real)(INFINITE_DISTANCE);
-    s.radiance = environment_radiance(view, s.direction);
-    s.pdf = environment_pdf(view, s.direction);
+    const FarLight far = environment_look(view, s.direction, which);
+    s.radiance = far.radiance;
+    s.pdf = far.pdf;
     s.valid = s.pdf > 0.0f;
     return s;
+}
+
+// For estimators that follow BSDFs from every point that they light.
+INLINE LightSample environment_light_sample(SceneView view, natural light, real3 from, real2 u) {
+    return sample_environment_light(view, u, MAP_COMPENSATED);
 }
 INLINE real environment_light_pdf(SceneView view, natural light, real3 from, real3 direction,
                                   real t, Surface s) {
@@ -20,10 +27,10 @@ INLINE real environment_light_pdf(SceneView view, natural light, real3 from, rea
 }
 INLINE Emission environment_light_emit(SceneView view, __global const LightTracingRecord* setup,
                                        natural light, real pmf, EmissionNumbers u) {
-    const real3 to = environment_sample(view, u.direction);
-    const real pdf = environment_pdf(view, to);
-    const real weight = choose(pdf > 0.0f, 1.0f / (pmf * pdf), (real)(0.0f));
-    const real3 shown = scale3(environment_radiance(view, to), weight);
+    const real3 to = environment_sample(view, u.direction, MAP_WHOLE);
+    const FarLight far = environment_look(view, to, MAP_WHOLE);
+    const real weight = choose(far.pdf > 0.0f, 1.0f / (pmf * far.pdf), (real)(0.0f));
+    const real3 shown = scale3(far.radiance, weight);
     Emission e = emit_from_infinity(setup, to, shown, u);
     e.shown = shown;
     e.infinite = (mask)(pmf > 0.0f);

@@ -13,6 +13,19 @@
 
 #define INFINITE_DISTANCE 1e30f
 
+// A point that is to be lit.
+typedef struct {
+    real3 position;
+    real3 normal; // unit: what comes from below counts nothing; 0: all light counts
+} Receiver;
+
+INLINE Receiver receiver_at(real3 position, real3 normal) {
+    Receiver at;
+    at.position = position;
+    at.normal = normal;
+    return at;
+}
+
 typedef struct {
     real3 direction; // unit, to the light
     real distance;   // INFINITE_DISTANCE for light from infinity

@@ -1,5 +1,6 @@
 #include "scene/mitsuba/material.h"
 
+#include "scene/coat.h"
 #include "scene/mean_color.h"
 #include "scene/opacity.h"
 #include "scene/references.h"
@@ -183,6 +184,10 @@ void Materials::thin_dielectric(const Element& bsdf, Material& m, int) {
 void Materials::plastic(const Element& bsdf, Material& m, int) {
     m.kind = MaterialKind::metallic_roughness;
     set_color(bsdf, "diffuse_reflectance", m);
+    set_index(bsdf, m);
+    if (Values(document_, bsdf).flag("nonlinear", false))
+        m.base_color = coated_albedo(m.base_color, m.ior);
+    m.ior = Material{}.ior; // of the kind, glTF's
     m.roughness = 0.0f;
 }
 

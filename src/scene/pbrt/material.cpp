@@ -1,5 +1,6 @@
 #include "scene/pbrt/material.h"
 
+#include "scene/coat.h"
 #include "scene/file_words.h"
 
 #include <algorithm>
@@ -73,7 +74,8 @@ class Converter {
         m_.kind = MaterialKind::metallic_roughness;
         set_color("reflectance", glm::vec3(0.5f));
         set_roughness();
-        p_->find("eta");
+        const auto eta = spectrum_of(*p_, "eta", sources_);
+        m_.base_color = coated_albedo(m_.base_color, eta ? yellow_index(*eta) : 1.5);
     }
 
     void conductor_color_of(const std::string& prefix) {

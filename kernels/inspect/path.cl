@@ -15,7 +15,7 @@ INLINE void report_bsdf(__global BounceReport* report, Bsdf b) {
 #undef REPORT_LOBE
     report->lobes = lobes;
     const uint glossy = lobes >> LOBE_GLOSSY & 1u, dielectric = lobes >> LOBE_DIELECTRIC & 1u;
-    report3(report->diffuse, lobes >> LOBE_DIFFUSE & 1u ? b.diffuse.albedo : zero3());
+    report3(report->diffuse, lobes >> LOBE_DIFFUSE & 1u ? b.diffuse.color : zero3());
     report3(report->f0, glossy ? b.glossy.f0 : zero3());
     report->alpha = glossy ? b.glossy.alpha : dielectric ? b.dielectric.alpha : 0.0f;
     report->eta = bsdf_eta(b);

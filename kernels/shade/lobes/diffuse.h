@@ -13,7 +13,8 @@
 #include "shade/lobes/glossy.h"
 
 typedef struct {
-    real3 albedo; // of the body; below a coat, times what reaches it over the mean
+    real3 color;  // of the body
+    real3 albedo; // the same; below a coat, times what reaches it over the mean
 #if ONDE_ALBEDOS
     real3 between; // microfacets: what is lost there, coloured, over the mean
     AlbedoRow row;
@@ -64,6 +65,7 @@ INLINE DiffuseLobe diffuse_layered(SceneView view, MaterialPoint m, DiffuseLobe 
                      regained(m.color.z, mean.white)),
                metallic * lost);
     lobe.weight = choose(layered, fma(luminance3(body), entering, luminance3(back)), lobe.weight);
+    lobe.color = choose(layered, body, lobe.color);
     lobe.albedo = choose(layered, scale3(body, entering / spread), lobe.albedo);
     const real mean_lost = max_real(1.0f - mean.white, (real)(1e-5f));
     lobe.between = choose(layered, scale3(back, 1.0f / mean_lost), zero3());
@@ -73,7 +75,7 @@ INLINE DiffuseLobe diffuse_layered(SceneView view, MaterialPoint m, DiffuseLobe 
 
 INLINE DiffuseLobe diffuse_load(SceneView view, MaterialPoint m) {
     DiffuseLobe lobe;
-    lobe.albedo = m.color;
+    lobe.color = lobe.albedo = m.color;
     lobe.weight = luminance3(m.color);
 #if ONDE_ALBEDOS
     lobe = diffuse_layered(view, m, lobe, !is_of_kind(m, MATERIAL_DIFFUSE));

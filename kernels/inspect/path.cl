@@ -7,7 +7,7 @@
 
 // The lobes, each chosen with its probability.
 INLINE void report_bsdf(__global BounceReport* report, Bsdf b) {
-#define REPORT_LOBE(NAME, name, Type, transmits, kinds)                                            \
+#define REPORT_LOBE(NAME, name, Type, transmits)                                                   \
     if (HAS_LOBE(NAME) && b.has.name) lobes |= 1u << LOBE_##NAME;                                  \
     report->probability[LOBE_##NAME] = HAS_LOBE(NAME) ? b.probability.name : 0.0f;
     uint lobes = 0;
@@ -15,7 +15,7 @@ INLINE void report_bsdf(__global BounceReport* report, Bsdf b) {
 #undef REPORT_LOBE
     report->lobes = lobes;
     const uint glossy = lobes >> LOBE_GLOSSY & 1u, dielectric = lobes >> LOBE_DIELECTRIC & 1u;
-    report3(report->diffuse, lobes >> LOBE_DIFFUSE & 1u ? b.diffuse.albedo : zero3());
+    report3(report->diffuse, lobes >> LOBE_DIFFUSE & 1u ? b.diffuse.color : zero3());
     report3(report->f0, glossy ? b.glossy.f0 : zero3());
     report->alpha = glossy ? b.glossy.alpha : dielectric ? b.dielectric.alpha : 0.0f;
     report->eta = bsdf_eta(b);
@@ -32,8 +32,9 @@ INLINE void explain_bounce(SceneView view, Path path, Hits hit, Sampler sampler,
     report->light_pdf = 0.0f;
     if (!found) return;
     const Basis basis = make_basis(s.normal);
-    const real cosine = max_real(to_local(basis, negate3(path.direction)).z, (real)(1e-4f));
-    const Bsdf b = material_bsdf(view, s, cosine);
+    real3 wo = to_local(basis, negate3(path.direction));
+    wo.z = max_real(wo.z, (real)(1e-4f));
+    const Bsdf b = material_bsdf(view, s, basis, wo);
     report_bsdf(report, b);
     if (view.frame->light_count == 0) return;
     const real choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x;
@@ -59,7 +60,7 @@ __kernel void inspect_path(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS,
     for (bool alive = true; alive; bounce++) {
         __global BounceReport* report = reports + bounce;
         Hits hits = trace_closest(view.bvh, path.origin, path.direction, 1u);
-#if ONDE_PASSING
+#if ONDE_SEEN_THROUGH
         hits = estimator_pass(e, path, hits, (natural)(0u), bounce, (mask)(1));
 #endif
         explain_bounce(view, path, hits, sampler, bounce, report);
@@ -75,10 +76,16 @@ __kernel void inspect_path(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS,
         real3 arrives = report->blocked ? zero3() : v.connection.value;
 #if ESTIMATOR_TRANSLUCENT
         if (report->blocked) {
-            const real through = estimator_transmittance(
-                e, v.connection.origin, v.connection.direction, v.connection.distance, (mask)(1));
-            report->blocked = !(through > 0.0f);
-            arrives = scale3(v.connection.value, through);
+    #if ESTIMATOR_UNBENT
+            const mask unbent = v.connection.unbent != 0u;
+    #else
+            const mask unbent = 0;
+    #endif
+            const real3 through =
+                estimator_transmittance(e, v.connection.origin, v.connection.direction,
+                                        v.connection.distance, unbent, (mask)(1));
+            report->blocked = !nonzero3(through);
+            arrives = mul3(v.connection.value, through);
             report3(report->light_radiance, arrives);
         }
 #endif

@@ -95,7 +95,7 @@ __kernel void inspect_whitted(LAUNCH_PARAMETERS, SCENE_PARAMETERS,
         TreeNode node;
         node.ray = tree[i].ray;
         node.hits = trace_closest(e.view.bvh, node.ray.origin, node.ray.direction, 1u);
-#if ONDE_PASSING
+#if ONDE_SEEN_THROUGH
         node.hits = estimator_pass(e, node.ray, node.hits, (natural)(0u), 0, (mask)(1));
 #endif
         const WhittedVertex v = whitted_vertex(e.view, e.w, node.ray, node.hits, 1);

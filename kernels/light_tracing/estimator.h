@@ -8,9 +8,10 @@
 
 #define ESTIMATOR_TREE 0
 #define ESTIMATOR_EMITS 0
-#define ESTIMATOR_TRANSLUCENT ONDE_PASSING
+#define ESTIMATOR_TRANSLUCENT (ONDE_SEEN_THROUGH || ONDE_PANES)
 #define ESTIMATOR_CONNECTS_START 1
 #define ESTIMATOR_SPLATS 1
+#define ESTIMATOR_UNBENT 0
 #define ESTIMATOR_COLUMNS LIGHT_PATH_COLUMNS
 #define ESTIMATOR_CONNECTIONS SPLAT_COLUMNS
 
@@ -42,7 +43,7 @@ INLINE Step estimator_start(Estimator e, natural id, mask lanes) {
     return light_start(e.view, e.setup, path_sampler(e, id), lanes);
 }
 
-#if ONDE_PASSING
+#if ONDE_SEEN_THROUGH
 INLINE mask estimator_culls(State path, mask lanes) {
     return lanes & !lanes;
 }
@@ -56,13 +57,15 @@ INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint 
     return hits;
     #endif
 }
+#endif
 
+#if ESTIMATOR_TRANSLUCENT
 // Connections show the scene to the camera, which looks against them; only those of the environment
 // run with its sight.
-INLINE real estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
-                                    mask lanes) {
+INLINE real3 estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
+                                     mask unbent, mask lanes) {
     const real3 seen = choose(distance < INFINITE_DISTANCE, negate3(direction), direction);
-    return ray_transmittance(e.view, origin, direction, distance, seen, lanes, lanes);
+    return ray_transmittance(e.view, origin, direction, distance, seen, lanes, unbent, lanes);
 }
 #endif
 

@@ -8,6 +8,7 @@
 #ifndef ONDE_LIGHT_TRACING_LIGHT_TRACING_H
 #define ONDE_LIGHT_TRACING_LIGHT_TRACING_H
 
+#define ONDE_ADJOINT 1
 #include "light_tracing/connection.h"
 #include "shade/light.h"
 #include "shade/passing.h"
@@ -161,10 +162,13 @@ OUTLINED LightVertex light_vertex(SceneView view, LightPath path, Hits hit, Samp
     v.surface = surface_at(view, path.origin, path.direction, hit, found);
     v.surface.bulge = (real)(0.0f); // light arrives at triangles, and has to leave from there
     v.t = choose(found, hit.t, (real)(0.0f));
+#if ONDE_ABSORPTION
+    path.throughput = mul3(path.throughput, solid_transmittance(view, v.surface, v.t));
+#endif
     v.basis = make_basis(v.surface.normal);
     v.wo = to_local(v.basis, negate3(path.direction));
     v.wo.z = max_real(v.wo.z, (real)(1e-4f));
-    v.bsdf = material_bsdf(view, v.surface, v.wo.z);
+    v.bsdf = material_bsdf(view, v.surface, v.basis, v.wo);
     result.connection = connect_surface(view, path, v, sampler, vertex, found);
     if (vertex + 1 >= view.frame->max_depth) {
         result.alive = found & !found;

@@ -73,9 +73,15 @@ INLINE void connect_lanes(Estimator e, FilmView film, Connection c, natural id, 
 #if ESTIMATOR_TRANSLUCENT
     const mask dim = mask_from_bits(tested & ~open);
     if_any (dim) {
-        const real through = estimator_transmittance(e, c.origin, c.direction, c.distance, dim);
-        c.value = choose(dim, scale3(c.value, through), c.value);
-        open |= mask_bits(dim & (through > 0.0f));
+    #if ESTIMATOR_UNBENT
+        const mask unbent = c.unbent != 0u;
+    #else
+        const mask unbent = dim & !dim;
+    #endif
+        const real3 through =
+            estimator_transmittance(e, c.origin, c.direction, c.distance, unbent, dim);
+        c.value = choose(dim, mul3(c.value, through), c.value);
+        open |= mask_bits(dim & nonzero3(through));
     }
 #endif
 #if ESTIMATOR_SPLATS
@@ -120,7 +126,7 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
     for (uint bounce = 0; mask_bits(alive); bounce++) {
         const uint bits = mask_bits(alive);
         Hits hits = trace_bounce(e.view.bvh, state.origin, state.direction, bounce, bits);
-#if ONDE_PASSING
+#if ONDE_SEEN_THROUGH
         const mask may = may_pass(e.view, hits, state.direction, estimator_culls(state, alive),
                                   alive & (hits.primitive != BVH_NONE));
         if_any (may) hits = estimator_pass(e, state, hits, id, bounce, may);

@@ -8,14 +8,20 @@
 
 #define ESTIMATOR_TREE 0
 #define ESTIMATOR_EMITS 1
-#define ESTIMATOR_TRANSLUCENT ONDE_ALPHA
+#define ESTIMATOR_TRANSLUCENT (ONDE_ALPHA || ONDE_STRAIGHT)
 #define ESTIMATOR_CONNECTS_START 0
 #define ESTIMATOR_SPLATS 0
+#define ESTIMATOR_UNBENT ONDE_UNBENT
 #define ESTIMATOR_COLUMNS PATH_STATE
 #if ONDE_TRAIL
     #define PATH_SHARES SHARE_COLUMNS
 #else
     #define PATH_SHARES NO_COLUMNS
+#endif
+#if ONDE_UNBENT
+    #define PATH_UNBENT UNBENT_COLUMNS
+#else
+    #define PATH_UNBENT NO_COLUMNS
 #endif
 #if ONDE_GROUPS
     #define PATH_TARGET TARGET_COLUMNS
@@ -24,7 +30,8 @@
 #endif
 #define ESTIMATOR_CONNECTIONS(VECTOR, REAL, NATURAL)                                               \
     CONNECTION_COLUMNS(VECTOR, REAL, NATURAL)                                                      \
-    PATH_TARGET(VECTOR, REAL, NATURAL) PATH_SHARES(VECTOR, REAL, NATURAL)
+    PATH_TARGET(VECTOR, REAL, NATURAL)                                                             \
+    PATH_SHARES(VECTOR, REAL, NATURAL) PATH_UNBENT(VECTOR, REAL, NATURAL)
 typedef Path State;
 typedef PathVertex Step;
 
@@ -57,7 +64,7 @@ INLINE State estimator_start(Estimator e, natural id) {
     return path_start(e.view.frame, job_pixel(e.job, id), path_sampler(e, id));
 }
 
-#if ONDE_PASSING
+#if ONDE_SEEN_THROUGH
 // Backs are culled where no light was sampled along the ray: for the camera's, and after mirrors.
 INLINE mask estimator_culls(State path, mask lanes) {
     return lanes & (path.pdf <= 0.0f);
@@ -75,9 +82,10 @@ INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint 
 #endif
 
 #if ESTIMATOR_TRANSLUCENT
-INLINE real estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
-                                    mask lanes) {
-    return ray_transmittance(e.view, origin, direction, distance, direction, lanes & !lanes, lanes);
+INLINE real3 estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
+                                     mask unbent, mask lanes) {
+    return ray_transmittance(e.view, origin, direction, distance, direction, lanes & !lanes, unbent,
+                             lanes);
 }
 #endif
 

@@ -23,6 +23,11 @@
 #else
     #define PATH_TRAIL NO_COLUMNS
 #endif
+#if ONDE_PANES
+    #define PATH_PANES PANE_COLUMNS
+#else
+    #define PATH_PANES NO_COLUMNS
+#endif
 #if ONDE_LIGHT_TREE
     #define PATH_RECEIVER RECEIVER_COLUMNS
 #else
@@ -30,7 +35,8 @@
 #endif
 #define PATH_STATE(VECTOR, REAL, NATURAL)                                                          \
     PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                            \
-    PATH_TRAIL(VECTOR, REAL, NATURAL) PATH_RECEIVER(VECTOR, REAL, NATURAL)
+    PATH_TRAIL(VECTOR, REAL, NATURAL)                                                              \
+    PATH_RECEIVER(VECTOR, REAL, NATURAL) PATH_PANES(VECTOR, REAL, NATURAL)
 COLUMNS_TYPE(Path, PATH_STATE);
 
 typedef struct {
@@ -57,6 +63,9 @@ INLINE Path path_start(__global const FrameRecord* frame, natural pixel, Sampler
     path.direction = ray.direction;
     path.throughput = splat3((real)(1.0f));
     path.pdf = (real)(0.0f);
+#if ONDE_PANES
+    path.passed = (real)(0.0f);
+#endif
 #if ONDE_LIGHT_TREE
     path.normal = zero3();
 #endif
@@ -84,10 +93,14 @@ INLINE real3 path_background(SceneView view, Path path) {
 
 // What the path's last vertex was when it sampled a light.
 INLINE Receiver path_receiver(Path path) {
+    real3 position = path.origin;
+#if ONDE_PANES // it has come straight through them since
+    position = madd3(path.direction, -path.passed, position);
+#endif
 #if ONDE_LIGHT_TREE
-    return receiver_at(path.origin, path.normal);
+    return receiver_at(position, path.normal);
 #else
-    return receiver_at(path.origin, zero3());
+    return receiver_at(position, zero3());
 #endif
 }
 
@@ -95,6 +108,9 @@ INLINE real3 path_emission(SceneView view, Path path, real t, Surface s, mask la
     const mask emits = lanes & (s.light != NO_INDEX) & material_emits(view, s.material, s.front);
     if (!mask_bits(emits)) return zero3();
     const real3 radiance = material_emission(view, s.material, s.uv);
+#if ONDE_PANES // light was sampled where the path was turned
+    t += path.passed;
+#endif
     const mask sampled = emits & (path.pdf > 0.0f);
     const real pdf = light_pdf(view, path_receiver(path), path.direction, t, s, sampled);
     const real weight = found_weight(path.pdf, pdf);
@@ -129,6 +145,9 @@ INLINE Connection path_connection(SceneView view, Path path, Vertex v, Sampler s
     ray.distance = choose(finite, length * SHADOW_SHORTENING, (real)(INFINITE_DISTANCE));
     ray.distance = choose(useful, ray.distance, (real)(0.0f));
     ray.target = light.group;
+#if ONDE_UNBENT
+    ray.unbent = one_for(light.delta);
+#endif
 #if ONDE_TRAIL
     ray.diffuse = path.diffuse;
     ray.transmitted = path.transmitted;
@@ -178,6 +197,9 @@ INLINE void path_ground(SceneView view, Path path, Sampler sampler, uint bounce,
     result->next.direction = choose(ground, next.direction, result->next.direction);
     result->next.throughput = choose(ground, next.throughput, result->next.throughput);
     result->next.pdf = choose(ground, next.pdf, result->next.pdf);
+    #if ONDE_PANES
+    result->next.passed = choose(ground, (real)(0.0f), result->next.passed);
+    #endif
     #if ONDE_TRAIL
     result->next.mirrored = choose(ground, (natural)(0u), result->next.mirrored);
     #endif
@@ -231,6 +253,9 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     Vertex v;
     v.surface = surface_at(view, path.origin, path.direction, hit, found);
     v.t = choose(found, hit.t, (real)(0.0f));
+#if ONDE_ABSORPTION
+    path.throughput = mul3(path.throughput, solid_transmittance(view, v.surface, v.t));
+#endif
     const real3 emitted = path_emission(view, path, v.t, v.surface, found);
     result.emitted = choose(found, emitted, result.emitted);
     if (HAS_UNLIT) result.emitted = add3(result.emitted, path_unlit(view, path, v.surface, found));
@@ -252,7 +277,7 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     v.basis = make_basis(v.surface.normal);
     v.wo = to_local(v.basis, negate3(path.direction));
     v.wo.z = max_real(v.wo.z, (real)(1e-4f));
-    v.bsdf = material_bsdf(view, v.surface, v.wo.z);
+    v.bsdf = material_bsdf(view, v.surface, v.basis, v.wo);
 #if ONDE_TRAIL
     const mask mirror = bsdf_is_mirror(v.bsdf);
     path_guide(view, path, v, found & !mirror & (path.mirrored != 0u), &result);
@@ -271,6 +296,13 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     result.next.pdf = choose(s.delta, (real)(0.0f), s.pdf);
 #if ONDE_LIGHT_TREE
     result.next.normal = vertex_receiver(v).normal;
+#endif
+#if ONDE_PANES
+    result.next.pdf = choose(s.straight, path.pdf, result.next.pdf);
+    result.next.passed = choose(s.straight, path.passed + v.t, (real)(0.0f));
+    #if ONDE_LIGHT_TREE
+    result.next.normal = choose(s.straight, path.normal, result.next.normal);
+    #endif
 #endif
 #if ONDE_TRAIL
     result.next.mirrored = choose(mirror, path.mirrored, (natural)(0u));

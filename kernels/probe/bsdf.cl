@@ -1,48 +1,47 @@
-// Probes of the BSDF, from its numbers and local directions.
-#include "probe/probe.h"
-#include "shade/bsdf.h"
+// Probes of the BSDFs of a scene's materials, by local directions.
+#include "probe/scene_probe.h"
+#include "shade/material.h"
 
-#define BSDF_WORDS 11
+#define BSDF_WORDS 5
 
-// Diffuse albedo or tint of glass (3), f0 (3), f90, alpha, probability of the glossy lobe, eta,
-// dielectric or not.
-INLINE Bsdf input_bsdf(Items items) {
-    Bsdf b;
-    b.has.dielectric = input_mask(items, 10);
-    b.has.diffuse = b.has.glossy = !b.has.dielectric;
-    b.glossy.f0 = input3(items, 3);
-    b.glossy.f90 = input(items, 6);
-    b.glossy.alpha = input(items, 7);
-    b.diffuse.albedo = input3(items, 0);
-    b.diffuse.coat = b.glossy.f90;
-    b.dielectric.tint = input3(items, 0);
-    b.dielectric.alpha = input(items, 7);
-    b.dielectric.eta = input(items, 9);
-    const real zero = (real)(0.0f), one = (real)(1.0f), glossy = input(items, 8);
-    b.probability.dielectric = choose(b.has.dielectric, one, zero);
-    b.probability.glossy = choose(b.has.dielectric, zero, glossy);
-    b.probability.diffuse = choose(b.has.dielectric, zero, 1.0f - glossy);
-    b.reach.dielectric = b.probability.dielectric;
-    b.reach.glossy = choose(b.has.dielectric, one, glossy);
-    b.reach.diffuse = one;
-    return b;
+// Material, front or not, wo (3).
+INLINE Bsdf input_bsdf(SceneView view, Items items) {
+    Surface s;
+    s.material = input_natural(items, 0);
+    s.front = input_mask(items, 1);
+    s.uv = same_in_all_sets(make2((real)(0.0f), (real)(0.0f)));
+    s.tint = splat3((real)(1.0f));
+    const Basis basis = make_basis(make3((real)(0.0f), (real)(0.0f), (real)(1.0f)));
+#if ONDE_NORMAL_MAPS
+    s.coat_normal = basis.n;
+#endif
+    return material_bsdf(view, s, basis, input3(items, 2));
 }
 
-// In: BSDF, wo (3), wi (3). Out: value times cosine (3), pdf.
-PROBE(bsdf_eval) {
+// In: BSDF, wi (3). Out: value times cosine (3), pdf.
+SCENE_PROBE(bsdf_eval) {
     const BsdfValue v =
-        bsdf_eval(input_bsdf(items), input3(items, BSDF_WORDS), input3(items, BSDF_WORDS + 3));
+        bsdf_eval(input_bsdf(view, items), input3(items, 2), input3(items, BSDF_WORDS));
     output(items, 0, v.value);
     output(items, 3, v.pdf);
 }
 
-// In: BSDF, wo (3), choice, u (2). Out: wi (3), weight (3), pdf, delta, valid.
-PROBE(bsdf_sample) {
-    const BsdfSample s = bsdf_sample(input_bsdf(items), input3(items, BSDF_WORDS),
-                                     input(items, BSDF_WORDS + 3), input2(items, BSDF_WORDS + 4));
+// In: BSDF, choice, u (2). Out: wi (3), weight (3), pdf, delta, valid.
+SCENE_PROBE(bsdf_sample) {
+    const BsdfSample s = bsdf_sample(input_bsdf(view, items), input3(items, 2),
+                                     input(items, BSDF_WORDS), input2(items, BSDF_WORDS + 1));
     output(items, 0, s.wi);
     output(items, 3, s.weight);
     output(items, 6, s.pdf);
     output_mask(items, 7, s.delta);
     output_mask(items, 8, s.valid);
+}
+
+// In: BSDF. Out: the probability of each lobe, then whether each is there.
+SCENE_PROBE(bsdf_lobes) {
+    const Bsdf b = input_bsdf(view, items);
+#define OUTPUT_LOBE(NAME, name, Type, transmits)                                                   \
+    output(items, LOBE_##NAME, HAS_LOBE(NAME) ? b.probability.name : (real)(0.0f));                \
+    output_mask(items, LOBE_COUNT + LOBE_##NAME, HAS_LOBE(NAME) ? b.has.name : (mask)(0));
+    LOBES(OUTPUT_LOBE)
 }

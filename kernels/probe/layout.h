@@ -3,6 +3,7 @@
 #ifndef ONDE_PROBE_LAYOUT_H
 #define ONDE_PROBE_LAYOUT_H
 
+#include "shared/albedo.h"
 #include "shared/aovs.h"
 #include "shared/bvh.h"
 #include "shared/columns.h"
@@ -124,15 +125,33 @@
     OFFSET(FrameRecord, filter_table)                                                              \
     SIZE(MaterialRecord)                                                                           \
     OFFSET(MaterialRecord, kind)                                                                   \
+    OFFSET(MaterialRecord, lobes)                                                                  \
     OFFSET(MaterialRecord, two_sided)                                                              \
     OFFSET(MaterialRecord, alpha_mode)                                                             \
     OFFSET(MaterialRecord, double_sided)                                                           \
     OFFSET(MaterialRecord, group)                                                                  \
+    OFFSET(MaterialRecord, albedos)                                                                \
+    OFFSET(MaterialRecord, blocks)                                                                 \
+    OFFSET(MaterialRecord, absorption)                                                             \
     OFFSET(MaterialRecord, base_color)                                                             \
     OFFSET(MaterialRecord, emission)                                                               \
+    OFFSET(MaterialRecord, specular_color)                                                         \
+    OFFSET(MaterialRecord, diffuse_transmission_color)                                             \
+    OFFSET(MaterialRecord, sheen_color)                                                            \
     OFFSET(MaterialRecord, roughness)                                                              \
     OFFSET(MaterialRecord, metallic)                                                               \
     OFFSET(MaterialRecord, ior)                                                                    \
+    OFFSET(MaterialRecord, specular)                                                               \
+    OFFSET(MaterialRecord, transmission)                                                           \
+    OFFSET(MaterialRecord, diffuse_transmission)                                                   \
+    OFFSET(MaterialRecord, clearcoat)                                                              \
+    OFFSET(MaterialRecord, clearcoat_roughness)                                                    \
+    OFFSET(MaterialRecord, clearcoat_normal_scale)                                                 \
+    OFFSET(MaterialRecord, sheen_roughness)                                                        \
+    OFFSET(MaterialRecord, iridescence)                                                            \
+    OFFSET(MaterialRecord, iridescence_ior)                                                        \
+    OFFSET(MaterialRecord, iridescence_thickness)                                                  \
+    OFFSET(MaterialRecord, iridescence_thickness_minimum)                                          \
     OFFSET(MaterialRecord, normal_scale)                                                           \
     OFFSET(MaterialRecord, alpha)                                                                  \
     OFFSET(MaterialRecord, alpha_cutoff)                                                           \

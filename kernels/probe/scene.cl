@@ -1,21 +1,8 @@
 // Probes of what reads the scene: textures, environment, lights, camera.
-#include "probe/probe.h"
+#include "probe/scene_probe.h"
 #include "shade/camera_link.h"
 #include "shade/light.h"
 #include "trace/trace.h"
-
-// PROBE with the scene as `view`.
-#define SCENE_PROBE(name)                                                                          \
-    INLINE void name##_of(SceneView view, Items items);                                            \
-    __kernel void probe_##name(uint count, SCENE_PARAMETERS, __global const float* in,             \
-                               __global float* out) {                                              \
-        const uint first = get_global_id(0) * PROBE_ITEMS;                                         \
-        if (first >= count) return;                                                                \
-        SCENE_VIEW(view);                                                                          \
-        for (uint i = first; i < first + PROBE_ITEMS; i += ONDE_WIDTH)                             \
-            name##_of(view, probe_items(count, in, out, i));                                       \
-    }                                                                                              \
-    INLINE void name##_of(SceneView view, Items items)
 
 // In: texture, uv (2). Out: as data (3), as colour (3), alpha.
 SCENE_PROBE(texture) {
@@ -85,21 +72,6 @@ SCENE_PROBE(surface) {
     output(items, 13, material_emission(view, s.material, s.uv));
     output(items, 16, light_pdf(view, receiver_at(origin, zero3()), direction, hits.t, s, found));
     output(items, 17, s.bulge);
-}
-
-// In: material, front or not, cosine of the view direction. Out: the probability of each lobe, then
-// whether each is there.
-SCENE_PROBE(material) {
-    Surface s;
-    s.material = input_natural(items, 0);
-    s.front = input_mask(items, 1);
-    s.uv = same_in_all_sets(make2((real)(0.0f), (real)(0.0f)));
-    s.tint = splat3((real)(1.0f));
-    const Bsdf b = material_bsdf(view, s, input(items, 2));
-#define OUTPUT_LOBE(NAME, name, Type, transmits, kinds)                                            \
-    output(items, LOBE_##NAME, b.probability.name);                                                \
-    output_mask(items, LOBE_COUNT + LOBE_##NAME, b.has.name);
-    LOBES(OUTPUT_LOBE)
 }
 
 // In: pixel, sample. Out: origin (3), direction (3).

@@ -3,36 +3,63 @@
 #ifndef ONDE_SHADE_BSDF_H
 #define ONDE_SHADE_BSDF_H
 
+#include "math/random.h"
+#include "shade/lobes/behind.h"
+#include "shade/lobes/coat.h"
 #include "shade/lobes/dielectric.h"
 #include "shade/lobes/diffuse.h"
 #include "shade/lobes/glossy.h"
-
-#define LOBE_KINDS(NAME, name, Type, transmits, kinds) KINDS_WITH_##NAME = (kinds),
-enum { LOBES(LOBE_KINDS) };
+#include "shade/lobes/sheen.h"
+#include "shade/lobes/thin.h"
 
 // Whether some material of the scene has a lobe, and whether all have it.
-#define HAS_LOBE(NAME) (ONDE_KINDS & KINDS_WITH_##NAME)
-#define ALL_HAVE_LOBE(NAME) (!(ONDE_KINDS & ~KINDS_WITH_##NAME))
+#define HAS_LOBE(NAME) (ONDE_LOBES >> LOBE_##NAME & 1u)
+#define ALL_HAVE_LOBE(NAME) (ONDE_COMMON_LOBES >> LOBE_##NAME & 1u)
+
+// Whether something may lie on top of other lobes.
+#define HAS_LAYERS (HAS_LOBE(COAT) || HAS_LOBE(SHEEN))
+
+// Whether directions are exchanged: light that goes from wo to wi.
+#ifndef ONDE_ADJOINT
+    #define ONDE_ADJOINT 0
+#endif
 
 // The probability of a lobe that a material has is no smaller.
 #define LEAST_LOBE_PROBABILITY 0.02f
 
-#define LOBE_MASK(NAME, name, Type, transmits, kinds) mask name;
+#define LOBE_MASK(NAME, name, Type, transmits) mask name;
 typedef struct {
     LOBES(LOBE_MASK)
 } LobeMasks;
-#define LOBE_NUMBER(NAME, name, Type, transmits, kinds) real name;
+#define LOBE_NUMBER(NAME, name, Type, transmits) real name;
 typedef struct {
     LOBES(LOBE_NUMBER)
 } LobeNumbers;
 
-#define LOBE_MEMBER(NAME, name, Type, transmits, kinds) Type name;
+#define LOBE_MEMBER(NAME, name, Type, transmits) Type name;
 typedef struct {
     LOBES(LOBE_MEMBER)
     LobeMasks has;
     LobeNumbers probability; // of choosing a lobe
     LobeNumbers reach;       // and of choosing it or one that LOBES has after it
+    LobeNumbers through;     // the layers on top of it, toward wo
 } Bsdf;
+
+// What layers leave to those below of light along w. As light is scattered between them the sum
+// keeps its energy, though not its reciprocity.
+INLINE LobeNumbers layers_through(Bsdf b, real3 w) {
+    real left = (real)(1.0f);
+    LobeNumbers through;
+#define PASS_LAYER(NAME, name, Type, transmits)                                                    \
+    through.name = left;                                                                           \
+    if (LOBE_##NAME == LOBE_COAT && HAS_LOBE(COAT))                                                \
+        left = choose(b.has.coat, left * (1.0f - coat_albedo(b.coat, w)), left);                   \
+    if (LOBE_##NAME == LOBE_SHEEN && HAS_LOBE(SHEEN))                                              \
+        left = choose(b.has.sheen, left * (1.0f - sheen_albedo(b.sheen, w)), left);
+    LOBES(PASS_LAYER)
+#undef PASS_LAYER
+    return through;
+}
 
 typedef struct {
     real3 value; // BSDF times cosine
@@ -45,6 +72,9 @@ typedef struct {
     real pdf;     // 0 after a delta lobe
     mask delta;
     mask valid;
+#if ONDE_PANES
+    mask straight; // wi goes on through a thin wall, as light from a light may
+#endif
 } BsdfSample;
 
 // The weights of the lobes that are there, and their number, from one of LOBES on.
@@ -55,7 +85,7 @@ typedef struct {
 INLINE LobeSum lobes_from(uint first, LobeMasks there, LobeNumbers weight) {
     LobeSum sum;
     sum.weight = sum.count = (real)(0.0f);
-#define ADD_LOBE(NAME, name, Type, transmits, kinds)                                               \
+#define ADD_LOBE(NAME, name, Type, transmits)                                                      \
     if (HAS_LOBE(NAME) && LOBE_##NAME >= first) {                                                  \
         sum.weight += choose(there.name, weight.name, (real)(0.0f));                               \
         sum.count += choose(there.name, (real)(1.0f), (real)(0.0f));                               \
@@ -81,23 +111,28 @@ INLINE real only_lobe_reach(uint first, LobeSum all, LobeMasks there, LobeNumber
     return choose(all.count - from.count > 0.0f, (real)(0.0f), (real)(1.0f));
 }
 
-// cosine: of the view direction and the shading normal, > 0.
-INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m, real cosine) {
+INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m) {
     Bsdf b;
+    const natural lobes = RECORD_NATURAL(view.materials, m.material, MaterialRecord, lobes);
     LobeMasks there;
     LobeNumbers weight;
-#define LOAD_LOBE(NAME, name, Type, transmits, kinds)                                              \
+#define LOAD_LOBE(NAME, name, Type, transmits)                                                     \
     if (HAS_LOBE(NAME)) {                                                                          \
         b.name = name##_load(view, m);                                                             \
-        b.has.name = ALL_HAVE_LOBE(NAME) ? m.kind == m.kind                                        \
-                                         : ((natural)(KINDS_WITH_##NAME) >> m.kind & 1u) != 0u;    \
-        weight.name = name##_weight(b.name, cosine);                                               \
+        b.has.name = ALL_HAVE_LOBE(NAME) ? m.kind == m.kind : (lobes >> LOBE_##NAME & 1u) != 0u;   \
+        weight.name = name##_weight(b.name, m);                                                    \
         there.name = b.has.name & (weight.name > 0.0f);                                            \
     }
     LOBES(LOAD_LOBE)
 #undef LOAD_LOBE
+    if (HAS_LAYERS) {
+        b.through = layers_through(b, m.wo);
+#define DIM_LOBE(NAME, name, Type, transmits) weight.name *= b.through.name;
+        LOBES(DIM_LOBE)
+#undef DIM_LOBE
+    }
     const LobeSum all = lobes_from(0, there, weight);
-#define CHOOSE_LOBE(NAME, name, Type, transmits, kinds)                                            \
+#define CHOOSE_LOBE(NAME, name, Type, transmits)                                                   \
     if (HAS_LOBE(NAME)) {                                                                          \
         b.reach.name = REACH(LOBE_##NAME, all, there, weight);                                     \
         b.probability.name = b.reach.name - REACH(LOBE_##NAME + 1, all, there, weight);            \
@@ -120,11 +155,13 @@ INLINE BsdfValue bsdf_eval(Bsdf b, real3 wo, real3 wi) {
     BsdfValue v;
     v.value = zero3();
     v.pdf = (real)(0.0f);
-#define EVAL_LOBE(NAME, name, Type, transmits, kinds)                                              \
+    if (HAS_LAYERS && ONDE_ADJOINT) b.through = layers_through(b, wi);
+#define EVAL_LOBE(NAME, name, Type, transmits)                                                     \
     if (HAS_LOBE(NAME)) {                                                                          \
         if_any (b.has.name) {                                                                      \
             const LobeValue lobe = name##_eval(b.name, wo, wi, b.has.name);                        \
-            v.value = fma3(lobe.tint, lobe.value, v.value);                                        \
+            const real3 tint = HAS_LAYERS ? scale3(lobe.tint, b.through.name) : lobe.tint;         \
+            v.value = fma3(tint, lobe.value, v.value);                                             \
             v.pdf = fma(b.probability.name, lobe.pdf, v.pdf);                                      \
         }                                                                                          \
     }
@@ -139,18 +176,30 @@ INLINE real share_of(real part, real whole) {
     return choose(whole > 0.0f, share, (real)(0.0f));
 }
 
+// What is left of a choice that has picked a lobe, in [0, 1).
+INLINE real rest_of_choice(real choice, real reach, real probability) {
+    const real rest = (choice - (reach - probability)) / max_real(probability, (real)(1e-6f));
+    return clamp_real(rest, 0.0f, LARGEST_BELOW_ONE);
+}
+
 // choice picks the lobe, u the direction; all in [0, 1).
 INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     LobeSample lobe;
     lobe.wi = lobe.weight = zero3();
     lobe.delta = lobe.valid = choice < 0.0f;
-    real probability = (real)(1.0f);
-#define SAMPLE_LOBE(NAME, name, Type, transmits, kinds)                                            \
+    real probability = (real)(1.0f), through = (real)(1.0f);
+#define SAMPLE_LOBE(NAME, name, Type, transmits)                                                   \
     if (HAS_LOBE(NAME)) {                                                                          \
         const mask chosen = (choice < b.reach.name) & (b.probability.name > 0.0f);                 \
         if_any (chosen) {                                                                          \
-            lobe = choose(chosen, name##_sample(b.name, wo, choice, u), lobe);                     \
+            real own = choice;                                                                     \
+            if (transmits) own = rest_of_choice(choice, b.reach.name, b.probability.name);         \
+            lobe = choose(chosen, name##_sample(b.name, wo, own, u), lobe);                        \
             probability = choose(chosen, b.probability.name, probability);                         \
+            if (HAS_LAYERS) {                                                                      \
+                if (ONDE_ADJOINT) b.through = layers_through(b, lobe.wi);                          \
+                through = choose(chosen, b.through.name, through);                                 \
+            }                                                                                      \
         }                                                                                          \
     }
     LOBES(SAMPLE_LOBE)
@@ -161,18 +210,22 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     s.delta = lobe.delta;
     s.weight = scale3(v.value, 1.0f / max_real(v.pdf, (real)(1e-30f)));
     if_any (lobe.delta) {
-        const real inverse = 1.0f / max_real(probability, (real)(1e-9f));
+        const real inverse = through / max_real(probability, (real)(1e-9f));
         s.weight = choose(lobe.delta, scale3(lobe.weight, inverse), s.weight);
     }
     s.pdf = choose(lobe.delta, (real)(0.0f), v.pdf);
     s.valid = lobe.valid & (lobe.delta | (v.pdf > 0.0f));
+#if ONDE_PANES
+    const mask pane = HAS_LOBE(DIELECTRIC) ? b.has.thin & !b.has.dielectric : b.has.thin;
+    s.straight = pane & lobe.delta & (lobe.wi.z < 0.0f);
+#endif
     return s;
 }
 
 // Whether light may pass the surface.
 INLINE mask bsdf_transmits(Bsdf b) {
     mask passes = (mask)(0);
-#define ADD_LOBE(NAME, name, Type, transmits, kinds)                                               \
+#define ADD_LOBE(NAME, name, Type, transmits)                                                      \
     if (HAS_LOBE(NAME) && transmits) passes = passes | b.has.name;
     LOBES(ADD_LOBE)
 #undef ADD_LOBE
@@ -182,7 +235,7 @@ INLINE mask bsdf_transmits(Bsdf b) {
 // Whether it has nothing but smooth lobes, so that what is seen in it is sharp.
 INLINE mask bsdf_is_mirror(Bsdf b) {
     mask smooth = (mask)(0), rough = (mask)(0);
-#define SORT_LOBE(NAME, name, Type, transmits, kinds)                                              \
+#define SORT_LOBE(NAME, name, Type, transmits)                                                     \
     if (HAS_LOBE(NAME)) {                                                                          \
         const mask there = b.has.name & (b.probability.name > 0.0f);                               \
         smooth = smooth | (there & name##_is_smooth(b.name));                                      \
@@ -196,8 +249,8 @@ INLINE mask bsdf_is_mirror(Bsdf b) {
 // The diffuse share of bsdf_eval's `value`.
 INLINE real3 bsdf_diffuse_share(Bsdf b, real3 wo, real3 wi, real3 value) {
     if (!HAS_LOBE(DIFFUSE)) return zero3();
-    const LobeValue lobe = diffuse_eval(b.diffuse, wo, wi, b.has.diffuse);
-    const real3 own = mul3(lobe.tint, lobe.value);
+    real3 own = diffuse_body(b.diffuse, wi, b.has.diffuse);
+    if (HAS_LAYERS) own = scale3(own, b.through.diffuse);
     return make3(share_of(own.x, value.x), share_of(own.y, value.y), share_of(own.z, value.z));
 }
 

@@ -10,6 +10,9 @@ typedef struct {
     real3 value;    // is added, times the transmittance of the way
     natural target; // y * width + x of a pixel; or where all is for the path's own sum, the group
                     // of the light
+#if ONDE_UNBENT
+    natural unbent; // whether smooth solids let it pass, as no other way finds its light
+#endif
 #if ONDE_TRAIL
     real3 diffuse; // shares of the value
     real transmitted;
@@ -21,6 +24,9 @@ INLINE Connection no_connection(void) {
     c.origin = c.direction = c.value = zero3();
     c.distance = (real)(0.0f);
     c.target = (natural)(0u);
+#if ONDE_UNBENT
+    c.unbent = (natural)(0u);
+#endif
 #if ONDE_TRAIL
     c.diffuse = zero3();
     c.transmitted = (real)(0.0f);

@@ -27,4 +27,12 @@ INLINE real fresnel_dielectric(real cosine, real eta) {
     return choose(sine2 >= 1.0f, (real)(1.0f), f);
 }
 
+// The share of diffuse light that a boundary lets through; a fit by d'Eon and Irving, "A Quantized-
+// Diffusion Model for Rendering Translucent Materials", 2011. Reciprocal.
+INLINE real mean_transmission(real eta) {
+    const real thin = max_real(eta, 1.0f / eta);
+    const real from_outside = 1.0f - (thin - 1.0f) / fma((real)(1.00071f), thin, (real)(4.08567f));
+    return choose(eta < 1.0f, from_outside / (thin * thin), from_outside);
+}
+
 #endif

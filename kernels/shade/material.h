@@ -44,24 +44,118 @@ INLINE mask is_unlit(SceneView view, natural material) {
     return RECORD_NATURAL(view.materials, material, MaterialRecord, kind) == MATERIAL_UNLIT;
 }
 
-// The BSDF at a surface. cosine: of the view direction and the shading normal, > 0.
-INLINE Bsdf material_bsdf(SceneView view, Surface s, real cosine) {
+#if ONDE_TEXTURES
+    #define MATERIAL_DATA(view, s, NAME)                                                           \
+        texture_data(view, material_texture(view, (s).material, TEXTURE_##NAME), (s).uv)
+    #define MATERIAL_TINT(view, s, NAME)                                                           \
+        texture_color(view, material_texture(view, (s).material, TEXTURE_##NAME), (s).uv)
+    #define MATERIAL_ALPHA(view, s, NAME)                                                          \
+        texture_alpha(view, material_texture(view, (s).material, TEXTURE_##NAME), (s).uv)
+#else
+    #define MATERIAL_DATA(view, s, NAME) splat3((real)(1.0f))
+    #define MATERIAL_TINT(view, s, NAME) splat3((real)(1.0f))
+    #define MATERIAL_ALPHA(view, s, NAME) (real)(1.0f)
+#endif
+#define MATERIAL_NUMBER(view, s, name) RECORD(view.materials, (s).material, MaterialRecord, name)
+#define MATERIAL_COLOR(view, s, name) RECORD3(view.materials, (s).material, MaterialRecord, name)
+
+// How the dielectric half reflects (KHR_materials_ior, KHR_materials_specular).
+INLINE MaterialPoint with_reflectance(SceneView view, Surface s, MaterialPoint m) {
+    real f0 = (real)(DIELECTRIC_F0);
+#if ONDE_INDICES
+    const real ior = MATERIAL_NUMBER(view, s, ior);
+    f0 = square((ior - 1.0f) / (ior + 1.0f));
+#endif
+    m.f0 = splat3(f0);
+    m.f90 = (real)(1.0f);
+#if ONDE_SPECULAR
+    m.f90 = MATERIAL_NUMBER(view, s, specular) * MATERIAL_ALPHA(view, s, SPECULAR);
+    const real3 color =
+        mul3(MATERIAL_COLOR(view, s, specular_color), MATERIAL_TINT(view, s, SPECULAR_COLOR));
+    m.f0 = make3(min_real(f0 * color.x, (real)(1.0f)) * m.f90,
+                 min_real(f0 * color.y, (real)(1.0f)) * m.f90,
+                 min_real(f0 * color.z, (real)(1.0f)) * m.f90);
+#endif
+#if ONDE_IRIDESCENCE
+    m.iridescence = MATERIAL_NUMBER(view, s, iridescence) * MATERIAL_DATA(view, s, IRIDESCENCE).x;
+    const real least = MATERIAL_NUMBER(view, s, iridescence_thickness_minimum);
+    const real most = MATERIAL_NUMBER(view, s, iridescence_thickness);
+    m.film.ior = MATERIAL_NUMBER(view, s, iridescence_ior);
+    m.film.thickness = fma(MATERIAL_DATA(view, s, IRIDESCENCE_THICKNESS).y, most - least, least);
+#endif
+    return m;
+}
+
+// What lets light through the body.
+INLINE MaterialPoint with_transmission(SceneView view, Surface s, MaterialPoint m) {
+#if ONDE_TRANSMISSION
+    m.transmission =
+        MATERIAL_NUMBER(view, s, transmission) * MATERIAL_DATA(view, s, TRANSMISSION).x;
+#endif
+    m.behind = (real)(0.0f);
+    if (HAS_LOBE(BEHIND)) {
+        m.behind = MATERIAL_NUMBER(view, s, diffuse_transmission) *
+                   MATERIAL_ALPHA(view, s, DIFFUSE_TRANSMISSION);
+        m.behind_color = mul3(MATERIAL_COLOR(view, s, diffuse_transmission_color),
+                              MATERIAL_TINT(view, s, DIFFUSE_TRANSMISSION_COLOR));
+    }
+    return m;
+}
+
+// What lies on top.
+INLINE MaterialPoint with_layers(SceneView view, Surface s, MaterialPoint m) {
+    if (HAS_LOBE(COAT)) {
+        m.clearcoat = MATERIAL_NUMBER(view, s, clearcoat) * MATERIAL_DATA(view, s, CLEARCOAT).x;
+        m.coat_alpha = square(MATERIAL_NUMBER(view, s, clearcoat_roughness) *
+                              MATERIAL_DATA(view, s, CLEARCOAT_ROUGHNESS).y);
+    }
+    if (HAS_LOBE(SHEEN)) {
+        m.sheen_color =
+            mul3(MATERIAL_COLOR(view, s, sheen_color), MATERIAL_TINT(view, s, SHEEN_COLOR));
+        const real roughness =
+            MATERIAL_NUMBER(view, s, sheen_roughness) * MATERIAL_ALPHA(view, s, SHEEN_ROUGHNESS);
+        m.sheen_alpha = square(max_real(roughness, (real)(LEAST_SHEEN_ROUGHNESS)));
+    }
+    return m;
+}
+
+// The material at a surface. wo: the view direction in the shading normal's basis, above.
+INLINE MaterialPoint material_point(SceneView view, Surface s, real3 wo) {
     MaterialPoint m;
     m.material = s.material;
     m.uv = s.uv;
     m.kind = RECORD_NATURAL(view.materials, s.material, MaterialRecord, kind);
     m.color = material_color(view, s);
-    real roughness = RECORD(view.materials, s.material, MaterialRecord, roughness);
-    m.metallic = RECORD(view.materials, s.material, MaterialRecord, metallic);
     m.front = s.front;
+    m.wo = wo;
+    m.cosine = wo.z;
+    const real3 packed = MATERIAL_DATA(view, s, METALLIC_ROUGHNESS);
+    m.metallic = MATERIAL_NUMBER(view, s, metallic);
+    real roughness = MATERIAL_NUMBER(view, s, roughness);
 #if ONDE_TEXTURES
-    const natural rough_metal = material_texture(view, s.material, TEXTURE_METALLIC_ROUGHNESS);
-    const real3 packed = texture_data(view, rough_metal, s.uv);
     roughness *= packed.y;
     m.metallic *= packed.z;
 #endif
     m.alpha = roughness * roughness;
-    return bsdf_load(view, m, cosine);
+#if ONDE_ALBEDOS
+    m.row = albedo_row((natural)(0u), m.alpha);
+    m.albedo = reflection_albedo(view.albedos, m.row, m.cosine);
+#endif
+    m.coat_normal = make3((real)(0.0f), (real)(0.0f), (real)(1.0f));
+    m = with_reflectance(view, s, m);
+    return with_layers(view, s, with_transmission(view, s, m));
+}
+
+// The BSDF at a surface, whose shading normal is that of the basis.
+INLINE Bsdf material_bsdf(SceneView view, Surface s, Basis basis, real3 wo) {
+    MaterialPoint m = material_point(view, s, wo);
+#if ONDE_NORMAL_MAPS
+    if (HAS_LOBE(COAT)) {
+        const real3 coat = to_local(basis, s.coat_normal);
+        m.coat_normal = choose(coat.z > 0.0f, coat, m.coat_normal);
+    }
+#endif
+    return bsdf_load(view, m);
 }
 
 #endif

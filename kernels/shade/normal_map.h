@@ -20,13 +20,11 @@ INLINE Tangent triangle_tangent(SceneView view, Corners c, real u, real v) {
     return t;
 }
 
-// The normal told by the material's normal map (glTF 2.0, section 3.9.3), or n where it has none.
+// The normal told by a normal map (glTF 2.0, section 3.9.3), or n where there is none.
 INLINE real3 mapped_normal(SceneView view, Placement placement, Corners corners, real u, real v,
-                           natural material, UvSets uv, real3 n) {
-    const natural texture = material_texture(view, material, TEXTURE_NORMAL);
+                           natural texture, real scale, UvSets uv, real3 n) {
     const mask present = texture != NO_INDEX;
     if (!mask_bits(present)) return n;
-    const real scale = RECORD(view.materials, material, MaterialRecord, normal_scale);
     real3 m = texture_data(view, texture, uv);
     m = make3(fma(m.x, (real)(2.0f), (real)(-1.0f)) * scale,
               fma(m.y, (real)(2.0f), (real)(-1.0f)) * scale, fma(m.z, (real)(2.0f), (real)(-1.0f)));
@@ -39,11 +37,6 @@ INLINE real3 mapped_normal(SceneView view, Placement placement, Corners corners,
     const real3 bent = madd3(n, m.z, madd3(b, m.y, scale3(t, m.x)));
     const mask usable = present & (across > 1e-4f) & (dot3(bent, bent) > 1e-8f);
     return choose(usable, normalize3(choose(usable, bent, n)), n);
-}
-#else
-INLINE real3 mapped_normal(SceneView view, Placement placement, Corners corners, real u, real v,
-                           natural material, UvSets uv, real3 n) {
-    return n;
 }
 #endif
 

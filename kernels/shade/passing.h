@@ -6,7 +6,7 @@
 #ifndef ONDE_SHADE_PASSING_H
 #define ONDE_SHADE_PASSING_H
 
-#include "shade/opacity.h"
+#include "shade/straight.h"
 #include "trace/trace.h"
 
 INLINE mask is_double_sided(SceneView view, natural material) {
@@ -98,24 +98,31 @@ OUTLINED Hits pass_surfaces(SceneView view, real3 origin, real3 direction, Hits 
 }
 
 // How much of the light comes through from the origins to `distance`, for connections in `lanes`;
-// 0 in the others. seen, culls: as in hit_opacity.
-OUTLINED real ray_transmittance(SceneView view, real3 origin, real3 direction, real distance,
-                                real3 seen, mask culls, mask lanes) {
+// nothing in the others. seen, culls: as in hit_opacity. unbent: lanes whose light passes smooth
+// solids.
+OUTLINED real3 ray_transmittance(SceneView view, real3 origin, real3 direction, real distance,
+                                 real3 seen, mask culls, mask unbent, mask lanes) {
     Hits hits;
     hits.t = hits.u = hits.v = (real)(0.0f);
     hits.primitive = hits.instance = (natural)(0u);
-    real through = choose(lanes, (real)(1.0f), (real)(0.0f));
+    real3 through = choose(lanes, splat3((real)(1.0f)), zero3());
     mask open = lanes;
     for (uint passed = 0; passed < MOST_PASSED; passed++) {
+        const real before = hits.t;
         hits = trace_behind(view.bvh, origin, direction, distance, hits, mask_bits(open));
         open = open & (hits.primitive != BVH_NONE);
         if (!mask_bits(open)) return through;
         const real opacity = hit_opacity(view, hits, seen, culls, open);
-        through = choose(open, through * (1.0f - opacity), through);
-        open = open & (through > 0.0f);
+        real3 left = splat3(1.0f - opacity);
+    #if ONDE_STRAIGHT
+        left = madd3(straight_transmittance(view, origin, direction, hits, unbent, before, open),
+                     opacity, left);
+    #endif
+        through = choose(open, mul3(through, left), through);
+        open = open & nonzero3(through);
         if (!mask_bits(open)) return through;
     }
-    return choose(open, (real)(0.0f), through);
+    return choose(open, zero3(), through);
 }
 
 #endif

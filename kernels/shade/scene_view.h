@@ -37,13 +37,15 @@
     #define ONDE_WIDE_TEXTURES 0
 #endif
 // Whether some material lets rays pass by its alpha, and whether cameras see through the back of
-// some; ONDE_PASSING is 1 where either is.
+// some. ONDE_PASSING is 1 where rays or light may go on behind a surface for these reasons or
+// others.
 #ifndef ONDE_ALPHA
     #define ONDE_ALPHA 0
 #endif
 #ifndef ONDE_CULLING
     #define ONDE_CULLING 0
 #endif
+#define ONDE_SEEN_THROUGH (ONDE_ALPHA || ONDE_CULLING)
 #ifndef ONDE_VERTEX_COLORS
     #define ONDE_VERTEX_COLORS 0
 #endif
@@ -63,7 +65,33 @@
 #else
     #define NEXT_FRAME_BUFFERS(BUFFER)
 #endif
-// Bits MATERIAL_... and LIGHT_...
+// Whether some material has microfacets, and whether some scatters below or between them.
+#ifndef ONDE_ROUGH
+    #define ONDE_ROUGH 1
+#endif
+#ifndef ONDE_ALBEDOS
+    #define ONDE_ALBEDOS 1
+#endif
+// Whether coats have other indices than 1.5, whether their bodies may be clear, whether solids
+// absorb light; whether light goes straight through some smooth thin wall, and through smooth
+// solids where no other way would find it.
+#ifndef ONDE_INDICES
+    #define ONDE_INDICES 1
+#endif
+#ifndef ONDE_TRANSMISSION
+    #define ONDE_TRANSMISSION 1
+#endif
+#ifndef ONDE_ABSORPTION
+    #define ONDE_ABSORPTION 0
+#endif
+#define ONDE_STRAIGHT (ONDE_PANES || ONDE_UNBENT)
+// Bits LOBE_..., of what some material has and of what all have; MATERIAL_... and LIGHT_...
+#ifndef ONDE_LOBES
+    #define ONDE_LOBES 0xffffffffu
+#endif
+#ifndef ONDE_COMMON_LOBES
+    #define ONDE_COMMON_LOBES 0u
+#endif
 #ifndef ONDE_KINDS
     #define ONDE_KINDS 0xffffffffu
 #endif

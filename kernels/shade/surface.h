@@ -14,6 +14,9 @@ typedef struct {
     real bulge;      // how far the curved surface that it stands for lies above it on that side
     real3 geometric; // unit, on the side that the ray came from
     real3 normal;    // shading normal on that side, unit
+#if ONDE_NORMAL_MAPS
+    real3 coat_normal; // the same of varnish
+#endif
     UvSets uv;
     real3 tint; // of its vertices' colours; multiplies the base colour
     natural material;
@@ -83,6 +86,10 @@ INLINE Surface facing(Surface s, real3 direction) {
     s.front = dot3(s.geometric, direction) < 0.0f;
     s.geometric = choose(s.front, s.geometric, negate3(s.geometric));
     s.normal = choose(dot3(s.normal, s.geometric) < 0.0f, negate3(s.normal), s.normal);
+#if ONDE_NORMAL_MAPS
+    s.coat_normal =
+        choose(dot3(s.coat_normal, s.geometric) < 0.0f, negate3(s.coat_normal), s.coat_normal);
+#endif
     const mask grazing = !(dot3(s.normal, direction) < -1e-3f); // NaN falls here too
     s.normal = choose(grazing, s.geometric, s.normal);
     return s;
@@ -128,7 +135,19 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
     const mask shape = lanes & ((tag & SURFACE_SHAPE) != 0u); // the others have no instance
     if_any (shape) s = on_shape(view, record, placement, met, direction, s, shape);
 #endif
-    s.normal = mapped_normal(view, placement, corners, u, v, s.material, s.uv, s.normal);
+#if ONDE_NORMAL_MAPS
+    s.coat_normal = s.normal;
+    const natural map = material_texture(view, s.material, TEXTURE_NORMAL);
+    const real scale = RECORD(view.materials, s.material, MaterialRecord, normal_scale);
+    s.normal = mapped_normal(view, placement, corners, u, v, map, scale, s.uv, s.normal);
+    if (ONDE_LOBES >> LOBE_COAT & 1u) {
+        const natural coat_map = material_texture(view, s.material, TEXTURE_CLEARCOAT_NORMAL);
+        const real coat_scale =
+            RECORD(view.materials, s.material, MaterialRecord, clearcoat_normal_scale);
+        s.coat_normal = mapped_normal(view, placement, corners, u, v, coat_map, coat_scale, s.uv,
+                                      s.coat_normal);
+    }
+#endif
     return facing(s, direction);
 }
 

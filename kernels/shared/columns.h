@@ -19,6 +19,15 @@
     #define ONDE_GROUPS 0
 #endif
 
+// Whether light goes straight through some thin walls; and whether it does through solid glass, if
+// it comes from where no other way would find it.
+#ifndef ONDE_PANES
+    #define ONDE_PANES 0
+#endif
+#ifndef ONDE_UNBENT
+    #define ONDE_UNBENT 0
+#endif
+
 // A path of the path tracer. pdf: of the direction at the last vertex, 0 if light can't have been
 // sampled there. (The ray comes first in every list.)
 #define PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                        \
@@ -30,6 +39,9 @@
 
 // And where lights are chosen by a tree: the normal at the last vertex, as in Receiver.
 #define RECEIVER_COLUMNS(VECTOR, REAL, NATURAL) VECTOR(normal)
+
+// And where there are panes: how far it has come straight through them.
+#define PANE_COLUMNS(VECTOR, REAL, NATURAL) REAL(passed)
 
 // A path from a light. Its power is emitted times throughput, that of the surfaces so far.
 #define LIGHT_PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                  \
@@ -48,11 +60,12 @@
     REAL(t) REAL(u) REAL(v) NATURAL(primitive) NATURAL(instance)
 
 // A connection whose value is for its own path. Behind that may stand its target, a pixel or a
-// group of lights, and then shares of its light.
+// group of lights, then shares of its light, then whether solid glass lets it pass.
 #define CONNECTION_COLUMNS(VECTOR, REAL, NATURAL)                                                  \
     VECTOR(origin) VECTOR(direction) REAL(distance) VECTOR(value)
 #define TARGET_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(target)
 #define SHARE_COLUMNS(VECTOR, REAL, NATURAL) VECTOR(diffuse) REAL(transmitted)
+#define UNBENT_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(unbent)
 #define NO_COLUMNS(VECTOR, REAL, NATURAL)
 #define SPLAT_COLUMNS(VECTOR, REAL, NATURAL)                                                       \
     CONNECTION_COLUMNS(VECTOR, REAL, NATURAL) TARGET_COLUMNS(VECTOR, REAL, NATURAL)

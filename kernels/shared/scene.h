@@ -14,16 +14,19 @@
 #define MATERIAL_UNLIT 4u // shows its base colour, whatever the light; has no lobe
 #define MATERIAL_KIND_COUNT 5u
 
-// The lobes that a BSDF is the sum of, each once: LOBE(NAME, name, Type, transmits, kinds). `name`
-// has a file kernels/shade/lobes/name.h with its Type; `transmits` says whether light may pass the
-// surface, `kinds` which kinds of material have it. What no material of a scene has is not
-// compiled.
-#define OF_KIND(NAME) (1u << MATERIAL_##NAME)
+// The lobes that a BSDF is the sum of, each once: LOBE(NAME, name, Type, transmits). `name` has a
+// file kernels/shade/lobes/name.h with its Type; `transmits` says whether light may pass the
+// surface. What lies on top comes first. Which ones a material has is told by lobes_of() in
+// src/upload/appearance.h; what no material of a scene has is not compiled.
 #define LOBES(LOBE)                                                                                \
-    LOBE(DIFFUSE, diffuse, DiffuseLobe, 0, OF_KIND(DIFFUSE) | OF_KIND(METALLIC_ROUGHNESS))         \
-    LOBE(GLOSSY, glossy, GlossyLobe, 0, OF_KIND(CONDUCTOR) | OF_KIND(METALLIC_ROUGHNESS))          \
-    LOBE(DIELECTRIC, dielectric, DielectricLobe, 1, OF_KIND(DIELECTRIC))
-#define LOBE_INDEX(NAME, name, Type, transmits, kinds) LOBE_##NAME,
+    LOBE(COAT, coat, CoatLobe, 0)                                                                  \
+    LOBE(SHEEN, sheen, SheenLobe, 0)                                                               \
+    LOBE(DIFFUSE, diffuse, DiffuseLobe, 0)                                                         \
+    LOBE(BEHIND, behind, BehindLobe, 1)                                                            \
+    LOBE(GLOSSY, glossy, GlossyLobe, 0)                                                            \
+    LOBE(DIELECTRIC, dielectric, DielectricLobe, 1)                                                \
+    LOBE(THIN, thin, ThinLobe, 1)
+#define LOBE_INDEX(NAME, name, Type, transmits) LOBE_##NAME,
 enum { LOBES(LOBE_INDEX) LOBE_COUNT };
 
 // Below this alpha (roughness^2) a surface is treated as perfectly smooth.
@@ -31,14 +34,41 @@ enum { LOBES(LOBE_INDEX) LOBE_COUNT };
 
 // What the kernels know of a material, each once, by the names of onde::Material's members:
 // colours, numbers, textures (SLOT(NAME, name) stands for name_texture).
-#define MATERIAL_COLORS(COLOR) COLOR(base_color) COLOR(emission)
+#define MATERIAL_COLORS(COLOR)                                                                     \
+    COLOR(base_color)                                                                              \
+    COLOR(emission) COLOR(specular_color) COLOR(diffuse_transmission_color) COLOR(sheen_color)
 #define MATERIAL_NUMBERS(NUMBER)                                                                   \
     NUMBER(roughness)                                                                              \
-    NUMBER(metallic) NUMBER(ior) NUMBER(normal_scale) NUMBER(alpha) NUMBER(alpha_cutoff)
+    NUMBER(metallic)                                                                               \
+    NUMBER(ior)                                                                                    \
+    NUMBER(specular)                                                                               \
+    NUMBER(transmission)                                                                           \
+    NUMBER(diffuse_transmission)                                                                   \
+    NUMBER(clearcoat)                                                                              \
+    NUMBER(clearcoat_roughness)                                                                    \
+    NUMBER(clearcoat_normal_scale)                                                                 \
+    NUMBER(sheen_roughness)                                                                        \
+    NUMBER(iridescence)                                                                            \
+    NUMBER(iridescence_ior)                                                                        \
+    NUMBER(iridescence_thickness)                                                                  \
+    NUMBER(iridescence_thickness_minimum)                                                          \
+    NUMBER(normal_scale) NUMBER(alpha) NUMBER(alpha_cutoff)
 #define TEXTURE_SLOTS(SLOT)                                                                        \
     SLOT(BASE_COLOR, base_color)                                                                   \
     SLOT(METALLIC_ROUGHNESS, metallic_roughness)                                                   \
     SLOT(EMISSION, emission)                                                                       \
+    SLOT(SPECULAR, specular)                                                                       \
+    SLOT(SPECULAR_COLOR, specular_color)                                                           \
+    SLOT(TRANSMISSION, transmission)                                                               \
+    SLOT(DIFFUSE_TRANSMISSION, diffuse_transmission)                                               \
+    SLOT(DIFFUSE_TRANSMISSION_COLOR, diffuse_transmission_color)                                   \
+    SLOT(CLEARCOAT, clearcoat)                                                                     \
+    SLOT(CLEARCOAT_ROUGHNESS, clearcoat_roughness)                                                 \
+    SLOT(CLEARCOAT_NORMAL, clearcoat_normal)                                                       \
+    SLOT(SHEEN_COLOR, sheen_color)                                                                 \
+    SLOT(SHEEN_ROUGHNESS, sheen_roughness)                                                         \
+    SLOT(IRIDESCENCE, iridescence)                                                                 \
+    SLOT(IRIDESCENCE_THICKNESS, iridescence_thickness)                                             \
     SLOT(NORMAL, normal)
 
 #define TEXTURE_INDEX(NAME, name) TEXTURE_##NAME,
@@ -54,10 +84,14 @@ enum { TEXTURE_SLOTS(TEXTURE_INDEX) TEXTURE_COUNT };
 #define NUMBER_MEMBER(name) float name;
 typedef struct {
     uint kind;
+    uint lobes; // bits by LOBE_...
     uint two_sided;
-    uint alpha_mode;   // ALPHA_...
-    uint double_sided; // else camera rays pass its back
-    uint group;        // of lights, that its emission belongs to
+    uint alpha_mode;     // ALPHA_...
+    uint double_sided;   // else camera rays pass its back
+    uint group;          // of lights, that its emission belongs to
+    uint albedos;        // of rough glass: the first word of its table of directional albedos
+    uint blocks;         // whether it, smooth glass, blocks light that only straight ways reach
+    float absorption[3]; // inside of it: halvings per unit of length
     MATERIAL_COLORS(COLOR_MEMBER)
     MATERIAL_NUMBERS(NUMBER_MEMBER)
     uint texture[TEXTURE_COUNT]; // by slot: index of a TextureRecord, or NO_INDEX
@@ -232,6 +266,7 @@ typedef struct {
 // after the first, two floats each, set by set; colors linear RGBA of 16 bits each; tangents
 // octahedral, with the lowest bit replaced by the sign of the bitangent.
 // bulges: by surface, of scenes with curved triangles; see src/upload/bulge.h.
+// albedos: tables of shared/albedo.h; the first is that of reflection.
 // srgb: 256 entries, from 8-bit sRGB to linear. environment: 3 floats per pixel.
 // environment_alias: MAP_TABLES entries per pixel.
 #define SCENE_BUFFERS(BUFFER)                                                                      \
@@ -242,6 +277,7 @@ typedef struct {
     BUFFER(uint, colors, "vertex colours")                                                         \
     BUFFER(uint, tangents, "tangents")                                                             \
     BUFFER(MaterialRecord, materials, "materials")                                                 \
+    BUFFER(uint, albedos, "directional albedos")                                                   \
     BUFFER(LightRecord, lights, "lights")                                                          \
     BUFFER(LightBranch, light_tree, "light tree")                                                  \
     BUFFER(TextureRecord, textures, "texture records")                                             \

@@ -19,6 +19,7 @@ INLINE void count_tree_rays(WaveJob job, uint row, WaveView wave, uint i, mask l
 }
 
 #define CONNECTION_TARGET COLUMN_COUNT(CONNECTION_COLUMNS)
+#define CONNECTION_UNBENT (COLUMN_COUNT(ESTIMATOR_CONNECTIONS) - 1)
 
 INLINE float3 word3(Columns c, uint k, uint i) {
     return (float3)(*column(c, k, i), *column(c, k + 1, i), *column(c, k + 2, i));
@@ -28,7 +29,7 @@ INLINE float3 word3(Columns c, uint k, uint i) {
 // How much comes through of the connections in `blocked`, by their place among the slots. Returns
 // those of which nothing does.
 INLINE uint find_transmittance(Estimator e, WaveView wave, const uint* slots, uint blocked,
-                               float* transmittance) {
+                               float3* transmittance) {
     const Columns connections = wave_connections(wave);
     float words[RAY_DISTANCE + 1][ONDE_WIDTH];
     uint place[ONDE_WIDTH], dark = 0;
@@ -43,13 +44,22 @@ INLINE uint find_transmittance(Estimator e, WaveView wave, const uint* slots, ui
             make3(unspill_real(words[0]), unspill_real(words[1]), unspill_real(words[2]));
         const real3 direction =
             make3(unspill_real(words[3]), unspill_real(words[4]), unspill_real(words[5]));
-        float through[ONDE_WIDTH];
-        spill_real(through,
-                   estimator_transmittance(e, origin, direction, unspill_real(words[RAY_DISTANCE]),
-                                           lane_index() < count));
+        mask unbent = (mask)(0);
+    #if ESTIMATOR_UNBENT
+        float straight[ONDE_WIDTH];
+        for (uint i = 0; i < ONDE_WIDTH; i++)
+            straight[i] = *column(connections, CONNECTION_UNBENT, slots[place[min(i, count - 1)]]);
+        unbent = as_natural(unspill_real(straight)) != 0u;
+    #endif
+        const real3 through = estimator_transmittance(
+            e, origin, direction, unspill_real(words[RAY_DISTANCE]), unbent, lane_index() < count);
+        float x[ONDE_WIDTH], y[ONDE_WIDTH], z[ONDE_WIDTH];
+        spill_real(x, through.x);
+        spill_real(y, through.y);
+        spill_real(z, through.z);
         for (uint i = 0; i < count; i++) {
-            transmittance[place[i]] = through[i];
-            if (!(through[i] > 0.0f)) dark |= 1u << place[i];
+            transmittance[place[i]] = (float3)(x[i], y[i], z[i]);
+            if (!(x[i] > 0.0f || y[i] > 0.0f || z[i] > 0.0f)) dark |= 1u << place[i];
         }
     }
     return dark;
@@ -79,7 +89,7 @@ INLINE void deliver_light(WaveView wave, uint slot, uint path, uint vertex, floa
 // The connection of a slot, of which `transmittance` arrives. vertex: of the path, the camera or
 // light being 0.
 INLINE void deliver(Estimator e, WaveView wave, FilmView film, uint slot, uint vertex,
-                    float transmittance) {
+                    float3 transmittance) {
     const Columns connections = wave_connections(wave);
     const uint path = as_uint(*column(wave.state, COLUMN_ID, slot));
     const float3 value = word3(connections, RAY_DISTANCE + 1, slot) * transmittance;

@@ -26,7 +26,7 @@ INLINE void stage_generate(Estimator e, WaveView wave, uint begin, uint end) {
     }
 }
 
-#if ONDE_PASSING
+#if ONDE_SEEN_THROUGH
 // Sends rays on that pass what they have hit.
 INLINE void pass_columns(Estimator e, WaveView wave, uint bounce, uint begin, uint end) {
     for (uint i = begin; i < end; i += ONDE_WIDTH) {
@@ -44,7 +44,7 @@ INLINE void pass_columns(Estimator e, WaveView wave, uint bounce, uint begin, ui
 
 INLINE void stage_intersect(Estimator e, WaveView wave, uint bounce, uint begin, uint end) {
     trace_columns(e.view.bvh, wave.state, wave_hits(wave), bounce, begin, end);
-#if ONDE_PASSING
+#if ONDE_SEEN_THROUGH
     pass_columns(e, wave, bounce, begin, end);
 #endif
     for (uint i = begin; i < end; i += ONDE_WIDTH)
@@ -94,8 +94,8 @@ INLINE void test_connections(Estimator e, WaveView wave, FilmView film, const ui
                              uint count, uint vertex) {
     uint blocked = occluded_slots(e.view.bvh, wave_connections(wave), slots, count);
 #if ESTIMATOR_TRANSLUCENT
-    float transmittance[OCCLUDED_SLOTS];
-    for (uint k = 0; k < count; k++) transmittance[k] = 1.0f;
+    float3 transmittance[OCCLUDED_SLOTS];
+    for (uint k = 0; k < count; k++) transmittance[k] = (float3)(1.0f);
     blocked = find_transmittance(e, wave, slots, blocked, transmittance);
 #endif
     for (uint k = 0; k < count; k++) {
@@ -103,7 +103,7 @@ INLINE void test_connections(Estimator e, WaveView wave, FilmView film, const ui
 #if ESTIMATOR_TRANSLUCENT
         deliver(e, wave, film, slots[k], vertex, transmittance[k]);
 #else
-        deliver(e, wave, film, slots[k], vertex, 1.0f);
+        deliver(e, wave, film, slots[k], vertex, (float3)(1.0f));
 #endif
     }
 }

@@ -2,8 +2,8 @@
 
 #include "app/load_request.h"
 #include "app/prewarm.h"
-#include "scene/load.h"
 #include "gpu/program.h"
+#include "scene/load.h"
 
 #include <fmt/format.h>
 

@@ -117,14 +117,20 @@ std::string dot_label(const HitReport& hit, const Scene& scene) {
 std::string lobes_text(const BounceReport& b) {
     std::vector<std::string> parts;
     const auto has = [&](uint32_t lobe) { return b.lobes >> lobe & 1u; };
-    if (has(LOBE_DIFFUSE)) parts.push_back("diffuse " + text(b.diffuse));
+    if (has(LOBE_COAT)) parts.push_back("varnish");
+    if (has(LOBE_SHEEN)) parts.push_back("sheen");
+    const bool is_black = b.diffuse[0] == 0 && b.diffuse[1] == 0 && b.diffuse[2] == 0;
+    if (has(LOBE_DIFFUSE) && !(is_black && has(LOBE_GLOSSY)))
+        parts.push_back("diffuse " + text(b.diffuse));
+    if (has(LOBE_BEHIND)) parts.push_back("diffuse to the far side");
     if (has(LOBE_GLOSSY)) parts.push_back("f0 " + text(b.f0));
     if (has(LOBE_DIELECTRIC)) parts.push_back(fmt::format("dielectric, eta {:.6g}", b.eta));
+    if (has(LOBE_THIN)) parts.push_back("a thin wall");
     if (has(LOBE_GLOSSY) || has(LOBE_DIELECTRIC))
         parts.push_back(fmt::format("alpha {:.4g}", b.alpha));
     std::string words =
         parts.empty() ? "scatters no light" : fmt::format("{}", fmt::join(parts, ", "));
-#define ONDE_WORDS(NAME, name, Type, transmits, kinds)                                             \
+#define ONDE_WORDS(NAME, name, Type, transmits)                                                    \
     if (b.probability[LOBE_##NAME] > 0 && b.probability[LOBE_##NAME] < 1)                          \
         words += fmt::format(", " #name " lobe chosen with {:.4g}", b.probability[LOBE_##NAME]);
     LOBES(ONDE_WORDS)

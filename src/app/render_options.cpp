@@ -1,8 +1,8 @@
 // The options of `onde render` and of commands that take some of them.
 #include "app/render_request.h"
 
-#include "scene/load.h"
 #include "app/sequence.h"
+#include "scene/load.h"
 
 #include <map>
 

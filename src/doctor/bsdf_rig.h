@@ -2,55 +2,105 @@
 #pragma once
 
 #include "doctor/columns.h"
+#include "doctor/scene_probe.h"
 #include "doctor/statistics.h"
+#include "upload/albedo_tables.h"
 
 namespace onde::doctor::bsdf {
 
-/// Of one width.
-inline Probe make_probe(gpu::Programs& programs, uint32_t width) {
-    return Probe(programs, "bsdf.cl", width, {"bsdf_eval", "bsdf_sample"});
-}
-
-/// Bsdf of kernels/shade/bsdf.h.
+/// A face of a material.
 struct Surface {
     std::string name;
-    glm::vec3 diffuse, f0;
-    float f90 = 1, alpha = 1, glossy = 1, eta = 1;
-    bool dielectric = false;
+    Material material;
+    bool front = true;
+    uint32_t index = 0; ///< among the materials of its Bsdfs
 
-    Columns columns(size_t count) const {
-        Columns columns;
-        for (float a : {diffuse.x, diffuse.y, diffuse.z, f0.x, f0.y, f0.z, f90, alpha, glossy, eta,
-                        dielectric ? 1.0f : 0.0f})
-            columns.push_back(constant_column(count, a));
-        return columns;
+    bool is_glass() const { return lobes_of(material) & (1u << LOBE_DIELECTRIC | 1u << LOBE_THIN); }
+    double alpha() const { return double(material.roughness) * double(material.roughness); }
+    /// The index below over that above.
+    double eta() const {
+        if (material.thin_walled) return 1;
+        return front ? double(material.ior) : 1 / double(material.ior);
     }
 };
 
+inline Surface surface_of(MaterialKind kind, float alpha, glm::vec3 color) {
+    Surface surface;
+    surface.name = fmt::format("{} {}", word_of(kind), alpha);
+    surface.material.kind = kind;
+    surface.material.base_color = color;
+    surface.material.roughness = std::sqrt(alpha);
+    return surface;
+}
 inline Surface diffuse() {
-    return {"diffuse", glm::vec3(0.8f, 0.5f, 1.0f), glm::vec3(0), 0, 1, 0};
+    return surface_of(MaterialKind::diffuse, 1, {0.8f, 0.5f, 1.0f});
 }
 inline Surface conductor(float alpha, float f0 = 1) {
-    return {fmt::format("conductor {}", alpha), glm::vec3(0), glm::vec3(f0), 1, alpha, 1};
+    return surface_of(MaterialKind::conductor, alpha, glm::vec3(f0));
 }
-inline Surface mix(float alpha, float metallic) {
-    const glm::vec3 color(1.0f, 0.8f, 0.3f);
-    return {fmt::format("mix {} {}", alpha, metallic),
-            color * (1 - metallic),
-            glm::mix(glm::vec3(0.04f), color, metallic),
-            1,
-            alpha,
-            0.3f};
+inline Surface mix(float alpha, float metallic, glm::vec3 color = {1.0f, 0.8f, 0.3f}) {
+    Surface surface = surface_of(MaterialKind::metallic_roughness, alpha, color);
+    surface.name += fmt::format(" {}", metallic);
+    surface.material.metallic = metallic;
+    return surface;
 }
-inline Surface glass(float alpha, float eta) {
-    return {fmt::format("glass {} {}", alpha, eta),
-            glm::vec3(1),
-            glm::vec3(0.04f),
-            1,
-            alpha,
-            1,
-            eta,
-            true};
+/// Seen from inside where front is false.
+inline Surface glass(float alpha, float ior, bool front = true) {
+    Surface surface = surface_of(MaterialKind::dielectric, alpha, glm::vec3(1));
+    surface.name += fmt::format(" {} from {}", ior, front ? "outside" : "inside");
+    surface.material.ior = ior;
+    surface.front = front;
+    return surface;
+}
+
+/// A mix of which a part is clear, thin or solid.
+inline Surface clear_mix(float alpha, float metallic, float transmission, bool thin,
+                         glm::vec3 color = glm::vec3(1)) {
+    Surface surface = mix(alpha, metallic, color);
+    surface.name += fmt::format(", {} clear, {}", transmission, thin ? "thin" : "solid");
+    surface.material.transmission = transmission;
+    surface.material.thin_walled = thin;
+    return surface;
+}
+inline Surface pane(float alpha, float ior = 1.5f) {
+    Surface surface = glass(alpha, ior);
+    surface.name += ", thin";
+    surface.material.thin_walled = true;
+    return surface;
+}
+
+/// Surfaces on the device, at one width.
+class Bsdfs {
+  public:
+    Bsdfs(gpu::Programs& programs, std::vector<Surface> surfaces, uint32_t width)
+        : surfaces_(numbered(std::move(surfaces))),
+          probe_(programs, scene_of(surfaces_), {"bsdf_eval", "bsdf_sample", "bsdf_lobes"}, width,
+                 {}, {}, {}, "bsdf.cl") {}
+
+    const std::vector<Surface>& surfaces() const { return surfaces_; }
+    const PackedScene& packed() const { return probe_.packed(); }
+    SceneProbe& probe() { return probe_; }
+
+  private:
+    static std::vector<Surface> numbered(std::vector<Surface> surfaces) {
+        for (uint32_t i = 0; i < surfaces.size(); i++) surfaces[i].index = i;
+        return surfaces;
+    }
+    static Scene scene_of(const std::vector<Surface>& surfaces) {
+        Scene scene;
+        for (const Surface& surface : surfaces) scene.materials.push_back(surface.material);
+        add_triangle(scene, {0, -1000, 0}, {0, -1000, 1}, {1, -1000, 0}, scene.materials[0]);
+        return scene;
+    }
+
+    std::vector<Surface> surfaces_;
+    SceneProbe probe_;
+};
+
+/// A probe's first columns.
+inline Columns columns_of(const Surface& surface, size_t count) {
+    return {constant_column(count, word(surface.index)),
+            constant_column(count, surface.front ? 1.0f : 0.0f)};
 }
 
 /// Directions above, from normal to grazing.
@@ -68,12 +118,12 @@ struct Values {
     Column pdf;
 };
 
-inline Values evaluate(Probe& probe, const Surface& surface, const std::vector<glm::vec3>& wo,
+inline Values evaluate(Bsdfs& bsdfs, const Surface& surface, const std::vector<glm::vec3>& wo,
                        const std::vector<glm::vec3>& wi) {
-    Columns in = surface.columns(wi.size());
+    Columns in = columns_of(surface, wi.size());
     add_vectors(in, wo);
     add_vectors(in, wi);
-    Columns out = probe.run("bsdf_eval", in, 4);
+    Columns out = bsdfs.probe().run("bsdf_eval", in, 4);
     Values values;
     values.pdf = std::move(out[3]);
     out.pop_back();
@@ -86,13 +136,13 @@ struct Samples {
     Column pdf, delta, valid;
 };
 
-inline Samples sample(Probe& probe, const Surface& surface, glm::vec3 wo, size_t count,
+inline Samples sample(Bsdfs& bsdfs, const Surface& surface, glm::vec3 wo, size_t count,
                       uint32_t seed) {
     Generator generator(seed);
-    Columns in = surface.columns(count);
+    Columns in = columns_of(surface, count);
     add_vectors(in, std::vector<glm::vec3>(count, wo));
     for (int k = 0; k < 3; k++) in.push_back(uniform_column(generator, count));
-    const Columns out = probe.run("bsdf_sample", in, 9);
+    const Columns out = bsdfs.probe().run("bsdf_sample", in, 9);
     Samples samples;
     for (size_t i = 0; i < count; i++) {
         samples.wi.emplace_back(vector_at(out, 0, i));
@@ -134,9 +184,9 @@ struct Quadrature {
     }
 };
 
-inline Values evaluate_sphere(Probe& probe, const Quadrature& over, const Surface& surface,
+inline Values evaluate_sphere(Bsdfs& bsdfs, const Quadrature& over, const Surface& surface,
                               glm::vec3 wo) {
-    return evaluate(probe, surface, std::vector<glm::vec3>(over.directions.size(), wo),
+    return evaluate(bsdfs, surface, std::vector<glm::vec3>(over.directions.size(), wo),
                     over.directions);
 }
 
@@ -170,19 +220,59 @@ inline std::string distribution_failure(const Quadrature& over, const Column& pd
     return chi_square_failure(observed, expected, significance);
 }
 
-/// glTF 2.0, appendix B: GGX with height-correlated masking over Lambert, of which the dielectric
-/// half lets a part through; times cosine.
-inline glm::dvec3 mix_value(const Surface& surface, glm::dvec3 wo, glm::dvec3 wi) {
-    const glm::dvec3 h = glm::normalize(wo + wi), f0(surface.f0), white(surface.f90);
-    const double a2 = std::pow(double(surface.alpha), 2);
-    const double d = a2 / (M_PI * std::pow(h.z * h.z * (a2 - 1) + 1, 2));
-    const auto root = [&](double c) { return std::sqrt(a2 + (1 - a2) * c * c); };
-    const double visibility = 0.5 / (wi.z * root(wo.z) + wo.z * root(wi.z));
-    const double grazing = std::pow(1 - glm::dot(wo, h), 5);
-    const glm::dvec3 fresnel = f0 + (white - f0) * grazing;
-    const double through = 1 - double(surface.f90) * (0.04 + 0.96 * grazing);
-    return (through * glm::dvec3(surface.diffuse) / M_PI + fresnel * d * visibility) * wi.z;
-}
+/// GGX with height-correlated masking and Schlick's reflectance, over what it does not reflect of a
+/// coat and of a metal, in double precision; times cosine. Of the tables of albedos only their
+/// numbers are shared with the kernels.
+class OpaqueValue {
+  public:
+    OpaqueValue(const Surface& surface, std::span<const uint32_t> table)
+        : material_(surface.material), alpha_(surface.alpha()), table_(table) {
+        if (material_.kind == MaterialKind::conductor) material_.metallic = 1;
+    }
+
+    glm::dvec3 operator()(glm::dvec3 wo, glm::dvec3 wi) const {
+        const glm::dvec3 color(material_.base_color);
+        if (material_.kind == MaterialKind::diffuse) return color / M_PI * wi.z;
+        const double metallic = material_.metallic;
+        const auto f0 = glm::mix(glm::dvec3(0.04), color, metallic);
+        const glm::dvec3 reflected = microfacets(f0, wo, wi);
+        if (alpha_ < SMOOTH_ALPHA && metallic == 1) return reflected * wi.z;
+        const auto through = [&](double grazing, double white) {
+            return 1 - 0.04 * white - 0.96 * grazing;
+        };
+        const Part out = part(wo.z), in = part(wi.z);
+        const AlbedoNumbers mean = mean_albedo_numbers(table_, alpha_);
+        const double body = through(out.grazing, out.white) * through(in.grazing, in.white) /
+                            through(mean.second, mean.first);
+        const double between = (1 - out.white) * (1 - in.white) / std::max(1 - mean.first, 1e-5);
+        const glm::dvec3 average = color + (1.0 - color) / 21.0;
+        const glm::dvec3 back = average * average * mean.first / (1.0 - average * (1 - mean.first));
+        return (reflected + glm::mix(color * body, back * between, metallic) / M_PI) * wi.z;
+    }
+
+  private:
+    struct Part {
+        double white, grazing;
+    };
+    Part part(double cosine) const {
+        const AlbedoNumbers n = albedo_numbers(table_, cosine, alpha_);
+        return {n.first, n.first * (std::pow(1 - cosine, 5) + 2 * n.second - 1)};
+    }
+    glm::dvec3 microfacets(glm::dvec3 f0, glm::dvec3 wo, glm::dvec3 wi) const {
+        if (alpha_ < SMOOTH_ALPHA) return glm::dvec3(0);
+        const glm::dvec3 h = glm::normalize(wo + wi);
+        const double a2 = alpha_ * alpha_;
+        const double d = a2 / (M_PI * std::pow(h.z * h.z * (a2 - 1) + 1, 2));
+        const auto root = [&](double c) { return std::sqrt(a2 + (1 - a2) * c * c); };
+        const double visibility = 0.5 / (wi.z * root(wo.z) + wo.z * root(wi.z));
+        const double grazing = std::pow(1 - glm::dot(wo, h), 5);
+        return (f0 + (1.0 - f0) * grazing) * d * visibility;
+    }
+
+    Material material_;
+    double alpha_;
+    std::span<const uint32_t> table_;
+};
 
 /// Not quite to the horizon.
 inline std::vector<glm::vec3> directions_above(Generator& generator, size_t count) {

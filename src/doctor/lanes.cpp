@@ -1,7 +1,6 @@
 // Every SIMD lane computes what one alone does, bit for bit.
 #include "doctor/checks.h"
-#include "doctor/columns.h"
-#include "doctor/mapped.h"
+#include "doctor/mapped_bsdfs.h"
 #include "doctor/tally.h"
 
 namespace onde::doctor {
@@ -36,16 +35,16 @@ void check_masks(Tally& tally, gpu::Programs& programs, uint32_t width) {
 }
 
 void check_functions(Tally& tally, gpu::Programs& programs, uint32_t width) {
-    for (const auto& [file, functions] : lane_by_lane(COUNT)) {
-        std::vector<std::string> names;
-        for (const Mapped& mapped : functions) names.push_back(mapped.name);
-        Probe scalar(programs, file, 1, names), wide(programs, file, width, names);
-        for (const Mapped& mapped : functions)
-            tally.expect_none(
-                first_bit_difference(wide.run(mapped.name, mapped.in, mapped.words),
-                                     scalar.run(mapped.name, mapped.in, mapped.words)),
-                fmt::format("{} at width {}", mapped.name, width));
-    }
+    const std::vector<Mapped> functions = mapped_basics(COUNT);
+    std::vector<std::string> names;
+    for (const Mapped& mapped : functions) names.push_back(mapped.name);
+    Probe scalar(programs, "basics.cl", 1, names), wide(programs, "basics.cl", width, names);
+    for (const Mapped& mapped : functions)
+        tally.expect_none(first_bit_difference(wide.run(mapped.name, mapped.in, mapped.words),
+                                               scalar.run(mapped.name, mapped.in, mapped.words)),
+                          fmt::format("{} at width {}", mapped.name, width));
+    tally.expect_none(first_bsdf_difference(programs, width, COUNT),
+                      fmt::format("BSDFs at width {}", width));
 }
 
 } // namespace

@@ -3,8 +3,6 @@
 
 #include "doctor/columns.h"
 
-#include <utility>
-
 namespace onde::doctor {
 
 struct Mapped {
@@ -56,40 +54,6 @@ inline std::vector<Mapped> mapped_basics(size_t count) {
          {uniform(0, 1), uniform(0.5f, 2), uniform(0, 1), uniform(0, 1), uniform(0, 1),
           uniform(0, 1)}},
     };
-}
-
-/// BSDFs of every kind, smooth and rough, side by side in the lanes; wo; then 3 numbers or wi.
-inline Columns mixed_bsdfs(size_t count, bool with_wi) {
-    Generator generator(37);
-    Columns in(11, Column(count));
-    for (size_t i = 0; i < count; i++) {
-        const uint32_t kind = uint32_t(generator()) % 4;
-        for (size_t k = 0; k < 6; k++) in[k][i] = unit(generator);
-        in[6][i] = kind == 0 ? 0.0f : 1.0f;
-        in[7][i] = generator() % 4 == 0 ? 0.0f : unit(generator);
-        in[8][i] = kind == 0 ? 0.0f : kind == 1 ? 1.0f : 0.1f + 0.8f * unit(generator);
-        in[9][i] = generator() % 2 ? 1.5f : 1 / 1.5f;
-        in[10][i] = kind == 3 ? 1.0f : 0.0f;
-    }
-    std::vector<glm::vec3> wo = unit_vectors(generator, count);
-    for (glm::vec3& v : wo) v.z = std::max(std::abs(v.z), 1e-4f);
-    add_vectors(in, wo);
-    if (with_wi)
-        add_vectors(in, unit_vectors(generator, count));
-    else
-        for (int k = 0; k < 3; k++) in.push_back(uniform_column(generator, count));
-    return in;
-}
-
-/// Of kernels/probe/bsdf.cl.
-inline std::vector<Mapped> mapped_bsdfs(size_t count) {
-    return {{"bsdf_eval", 4, mixed_bsdfs(count, true)},
-            {"bsdf_sample", 9, mixed_bsdfs(count, false)}};
-}
-
-/// All of them by their file.
-inline std::vector<std::pair<std::string, std::vector<Mapped>>> lane_by_lane(size_t count) {
-    return {{"basics.cl", mapped_basics(count)}, {"bsdf.cl", mapped_bsdfs(count)}};
 }
 
 } // namespace onde::doctor

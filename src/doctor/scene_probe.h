@@ -27,9 +27,9 @@ class SceneProbe {
     SceneProbe(gpu::Programs& programs, const Scene& description,
                const std::vector<std::string>& names, uint32_t width,
                const RenderOptions& options = {}, const BvhOptions& bvh = {},
-               const LightOptions& lights = {})
+               const LightOptions& lights = {}, const std::string& file = "scene.cl")
         : world_(programs.device(), description, options, bvh, lights),
-          probe_(programs, "scene.cl", width, names, world_.scene.packed().features.defines(),
+          probe_(programs, file, width, names, world_.scene.packed().features.defines(),
                  {layout_file(world_.scene.packed().features.layout)}) {}
 
     const PackedScene& packed() const { return world_.scene.packed(); }

@@ -35,7 +35,8 @@ class Estimator {
 
 /// The path tracer, which has no buffers of its own. Where the film has AOVs of light and guides,
 /// paths know more about what came before; where it has groups of lights, connections know theirs;
-/// where the scene has a light tree, paths know the normal at their last vertex.
+/// where the scene has a light tree, paths know the normal at their last vertex, and where it has
+/// panes, both know what they pass.
 class PathEstimator : public Estimator {
   public:
     PathEstimator(const RenderOptions& options, const SceneFeatures& scene);

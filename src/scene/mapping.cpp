@@ -56,6 +56,22 @@ bool has_lens(const Scene& scene) {
                                [](const Camera& c) { return c.aperture_radius > 0; });
 }
 
+/// What paths do of light that they can't find.
+void note_unbent(const Scene& scene, Sentences& notes) {
+    const size_t lights =
+        scene.point_lights.size() + scene.spot_lights.size() + scene.directional_lights.size();
+    const auto is_glass = [](const Material& m) {
+        const bool clear = m.kind == MaterialKind::dielectric || m.transmission > 0;
+        return clear && !m.thin_walled && m.roughness * m.roughness < 1e-3f &&
+               m.shadows == GlassShadows::straight;
+    };
+    if (lights > 0 && std::ranges::any_of(scene.materials, is_glass))
+        notes.push_back(fmt::format(
+            "the light of {} points, spots or directions goes through smooth glass unbent, as no "
+            "path would find it behind; --integrator light bends it, shadows = \"opaque\" stops it",
+            lights));
+}
+
 Sentences notes_of_light_transport(const Scene& scene) {
     Sentences notes;
     const std::string kinds = count_kinds(
@@ -127,8 +143,11 @@ Sentences notes_of_raster(const Scene& scene) {
 
 static Sentences notes_of(const Scene& scene, IntegratorKind integrator) {
     switch (integrator) {
-    case IntegratorKind::path:
-        return notes_of_light_transport(scene);
+    case IntegratorKind::path: {
+        Sentences notes = notes_of_light_transport(scene);
+        note_unbent(scene, notes);
+        return notes;
+    }
     case IntegratorKind::light: {
         Sentences notes = notes_of_light_transport(scene);
         note_left_out(scene, false, notes);

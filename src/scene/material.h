@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,18 @@ constexpr auto enum_words(AlphaMode) {
                       EnumWord{AlphaMode::blend, "blend"}};
 }
 
+/// What smooth glass does to light that no sampling finds behind it: that of points, spots and
+/// directions.
+enum class GlassShadows : uint32_t {
+    straight, ///< it goes on unbent, as far as it is not reflected
+    opaque,   ///< it is blocked
+};
+
+constexpr auto enum_words(GlassShadows) {
+    return std::array{EnumWord{GlassShadows::straight, "straight"},
+                      EnumWord{GlassShadows::opaque, "opaque"}};
+}
+
 /// Surface appearance. Textures multiply the factor beside them, as in glTF:
 /// base_color (rgb), roughness (g) and metallic (b) of one texture, emission (rgb).
 /// GGX alpha is roughness^2; an alpha below 1e-3 is perfectly smooth (a delta distribution).
@@ -90,14 +103,45 @@ struct Material {
     MaterialKind kind = MaterialKind::diffuse;
     glm::vec3 base_color{0.8f};
     float roughness = 1.0f;
-    float metallic = 0.0f;    ///< metallic_roughness only
-    float ior = 1.5f;         ///< interior over exterior index; dielectric only
+    float metallic = 0.0f; ///< metallic_roughness only
+    float ior = 1.5f; ///< interior over exterior index; of dielectric, and of the dielectric half
+                      ///< of metallic_roughness
+    float specular = 1.0f;          ///< of the reflection of that half
+    glm::vec3 specular_color{1.0f}; ///< the same at normal incidence
+    float transmission = 0.0f; ///< share of that half's body that is clear; metallic_roughness only
+    bool thin_walled = false;  ///< what lets light through is a sheet: light is not bent
+    glm::vec3 attenuation_color{1.0f}; ///< of white light after attenuation_distance inside
+    std::optional<float> attenuation_distance{}; ///< in world units; nothing is absorbed without
+    GlassShadows shadows = GlassShadows::straight;
+    float diffuse_transmission = 0.0f; ///< share of that half's body that scatters to the far side
+    glm::vec3 diffuse_transmission_color{1.0f};
+    float clearcoat = 0.0f; ///< how much of the surface has a coat of varnish, of index 1.5
+    float clearcoat_roughness = 0.0f;
+    glm::vec3 sheen_color{0.0f}; ///< of fibres that stand on it
+    float sheen_roughness = 0.0f;
+    float iridescence = 0.0f; ///< how much of the surface has a thin film
+    float iridescence_ior = 1.3f;
+    float iridescence_thickness = 400.0f;         ///< nanometres, where its texture is white
+    float iridescence_thickness_minimum = 100.0f; ///< where it is black
     glm::vec3 emission{0.0f}; ///< radiance, from the front face only (both faces if two_sided)
     bool two_sided = true;    ///< whether emission leaves the back face as well
     int32_t base_color_texture = NO_TEXTURE;
     int32_t metallic_roughness_texture = NO_TEXTURE;
     int32_t emission_texture = NO_TEXTURE;
-    int32_t normal_texture = NO_TEXTURE; ///< tangent-space normals, +Y up as in glTF
+    int32_t specular_texture = NO_TEXTURE; ///< alpha
+    int32_t specular_color_texture = NO_TEXTURE;
+    int32_t transmission_texture = NO_TEXTURE;         ///< red
+    int32_t diffuse_transmission_texture = NO_TEXTURE; ///< alpha
+    int32_t diffuse_transmission_color_texture = NO_TEXTURE;
+    int32_t clearcoat_texture = NO_TEXTURE;           ///< red
+    int32_t clearcoat_roughness_texture = NO_TEXTURE; ///< green
+    int32_t clearcoat_normal_texture = NO_TEXTURE;
+    float clearcoat_normal_scale = 1.0f;
+    int32_t sheen_color_texture = NO_TEXTURE;
+    int32_t sheen_roughness_texture = NO_TEXTURE;       ///< alpha
+    int32_t iridescence_texture = NO_TEXTURE;           ///< red
+    int32_t iridescence_thickness_texture = NO_TEXTURE; ///< green
+    int32_t normal_texture = NO_TEXTURE;                ///< tangent-space normals, +Y up as in glTF
     float normal_scale = 1.0f;
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha = 1.0f;        ///< times the base colour texture's alpha and that of the vertices
@@ -117,8 +161,26 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("roughness", &M::roughness, "0 is a mirror; GGX alpha is its square",
               {.range = UNIT, .absent = "`1`; `0` for conductor and dielectric"}),
         field("metallic", &M::metallic, "of `metallic-roughness` only", {.range = UNIT}),
-        field("ior", &M::ior, "interior over exterior index of refraction; of `dielectric` only",
+        field("ior", &M::ior, "interior over exterior index of refraction, of what is not metal",
               {.range = {.low = 0.01, .high = 100}}),
+        field("specular", &M::specular, "of the reflection of what is not metal", {.range = UNIT}),
+        field("specular_color", &M::specular_color, "the same at normal incidence",
+              {.range = NOT_NEGATIVE, .form = Form::color}),
+        field("transmission", &M::transmission,
+              "share of `metallic-roughness` that is clear where it is not metal; `dielectric` is "
+              "all",
+              {.range = UNIT}),
+        field("thin_walled", &M::thin_walled,
+              "what is clear is a sheet, behind which light goes on as it came"),
+        field("attenuation_color", &M::attenuation_color,
+              "of white light after `attenuation_distance` inside of what is clear",
+              {.range = UNIT, .form = Form::color}),
+        field("attenuation_distance", &M::attenuation_distance, "in units of the world",
+              {.range = POSITIVE, .absent = "nothing is absorbed"}),
+        field(
+            "shadows", &M::shadows,
+            "light of points, spots and directions, which never finds its way through smooth solid "
+            "glass: it passes unbent, or not"),
         field("emission", &M::emission, "radiance", {.range = NOT_NEGATIVE, .form = Form::color}),
         field("two_sided", &M::two_sided, "whether the back face emits as well"),
         field("base_color_texture", &M::base_color_texture, "multiplies `base_color`",
@@ -128,6 +190,53 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("emission_texture", &M::emission_texture,
               "multiplies `emission`, so write `emission = 1` beside it",
               {.form = Form::srgb_texture}),
+        field("diffuse_transmission", &M::diffuse_transmission,
+              "share of `metallic-roughness` that scatters light to the far side where it is not "
+              "metal",
+              {.range = UNIT}),
+        field("diffuse_transmission_color", &M::diffuse_transmission_color, "of that light",
+              {.range = UNIT, .form = Form::color}),
+        field("clearcoat", &M::clearcoat, "how much of `metallic-roughness` has varnish on it",
+              {.range = UNIT}),
+        field("clearcoat_roughness", &M::clearcoat_roughness, "of the varnish", {.range = UNIT}),
+        field("sheen_color", &M::sheen_color, "of fibres that stand on `metallic-roughness`",
+              {.range = UNIT, .form = Form::color}),
+        field("sheen_roughness", &M::sheen_roughness, "how much they lie about", {.range = UNIT}),
+        field("iridescence", &M::iridescence, "how much of `metallic-roughness` has a thin film",
+              {.range = UNIT}),
+        field("iridescence_ior", &M::iridescence_ior, "index of refraction of the film",
+              {.range = {.low = 1, .high = 100}}),
+        field("iridescence_thickness", &M::iridescence_thickness, "of the film, in nanometres",
+              {.range = NOT_NEGATIVE}),
+        field("iridescence_thickness_minimum", &M::iridescence_thickness_minimum,
+              "where `iridescence_thickness_texture` is black", {.range = NOT_NEGATIVE}),
+        field("specular_texture", &M::specular_texture, "alpha multiplies `specular`",
+              {.form = Form::linear_texture}),
+        field("specular_color_texture", &M::specular_color_texture, "multiplies `specular_color`",
+              {.form = Form::srgb_texture}),
+        field("transmission_texture", &M::transmission_texture, "red multiplies `transmission`",
+              {.form = Form::linear_texture}),
+        field("diffuse_transmission_texture", &M::diffuse_transmission_texture,
+              "alpha multiplies `diffuse_transmission`", {.form = Form::linear_texture}),
+        field("diffuse_transmission_color_texture", &M::diffuse_transmission_color_texture,
+              "multiplies `diffuse_transmission_color`", {.form = Form::srgb_texture}),
+        field("clearcoat_texture", &M::clearcoat_texture, "red multiplies `clearcoat`",
+              {.form = Form::linear_texture}),
+        field("clearcoat_roughness_texture", &M::clearcoat_roughness_texture,
+              "green multiplies `clearcoat_roughness`", {.form = Form::linear_texture}),
+        field("clearcoat_normal_texture", &M::clearcoat_normal_texture,
+              "normals of the varnish; without, it is smooth whatever lies below",
+              {.form = Form::linear_texture}),
+        field("clearcoat_normal_scale", &M::clearcoat_normal_scale, "of that texture's x and y"),
+        field("sheen_color_texture", &M::sheen_color_texture, "multiplies `sheen_color`",
+              {.form = Form::srgb_texture}),
+        field("sheen_roughness_texture", &M::sheen_roughness_texture,
+              "alpha multiplies `sheen_roughness`", {.form = Form::linear_texture}),
+        field("iridescence_texture", &M::iridescence_texture, "red multiplies `iridescence`",
+              {.form = Form::linear_texture}),
+        field("iridescence_thickness_texture", &M::iridescence_thickness_texture,
+              "green goes from the minimal thickness to `iridescence_thickness`",
+              {.form = Form::linear_texture}),
         field("normal_texture", &M::normal_texture, "normals in tangent space, +Y up",
               {.form = Form::linear_texture}),
         field("normal_scale", &M::normal_scale, "of the normal texture's x and y"),
@@ -143,6 +252,11 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("group", &M::group, GROUP_MEANING, GROUP_RULES),
         LoaderKey{"wrap", "`\"repeat\"`, `\"clamp\"`, `\"mirror\"`",
                   "how this material's textures go on beyond their edges", "`\"repeat\"`"}};
+}
+
+/// The texture by whose coordinates tangents go: the normal map, else that of the varnish.
+constexpr int32_t normal_map_of(const Material& m) {
+    return m.normal_texture != NO_TEXTURE ? m.normal_texture : m.clearcoat_normal_texture;
 }
 
 /// Calls visit(field, index) for each texture slot of a material.

@@ -67,7 +67,8 @@ Phong phong_of(const Material& m) {
         p.specular = 0.5f;
         break;
     case MaterialKind::metallic_roughness:
-        p.ambient = p.diffuse = 1.0f - m.metallic;
+        p.transmission = (1.0f - m.metallic) * m.transmission * largest(m.base_color);
+        p.ambient = p.diffuse = (1.0f - m.metallic) * (1.0f - m.transmission);
         p.specular = 0.25f + 0.75f * m.metallic;
         p.reflection = m.metallic * (1.0f - m.roughness) * largest(m.base_color);
         break;

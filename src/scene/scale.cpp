@@ -58,6 +58,8 @@ int bring_to_scale(Scene& scene, std::optional<int> wanted) {
             for (auto& light : lights)
                 if constexpr (requires { light.intensity; }) light.intensity *= scale * scale;
         });
+        for (Material& material : scene.materials)
+            if (material.attenuation_distance) *material.attenuation_distance *= scale;
         if (scene.environment.ground) *scene.environment.ground *= scale;
         scaled += exponent;
     }

@@ -130,8 +130,8 @@ RenderOutcome DeviceGroup::render_together(const KeepGoing& keep_going) {
     for (std::thread& thread : threads) thread.join();
     works_ = false;
     if (work_->failure) std::rethrow_exception(work_->failure);
-    if (keep_going) keep_going(work_->film.progress());
     put_film(work_->film.contents());
+    if (keep_going) keep_going(work_->film.progress());
     return {timer.seconds(), samples(), work_->queue.has_left_over()};
 }
 

@@ -24,7 +24,7 @@ namespace {
 /// Whether two materials make the same lights and tangents of the surfaces that have them.
 bool same_geometry(const Material& a, const Material& b) {
     return a.emission == b.emission && a.emission_texture == b.emission_texture &&
-           a.two_sided == b.two_sided && a.normal_texture == b.normal_texture && a.group == b.group;
+           a.two_sided == b.two_sided && normal_map_of(a) == normal_map_of(b) && a.group == b.group;
 }
 
 /// Planes are for the groups that the scene has.

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "scene/light_groups.h"
 #include "scene/phong.h"
+#include "upload/albedo_tables.h"
 #include "upload/words.h"
 
 #include <algorithm>
@@ -70,24 +71,97 @@ class AlphaModes {
 
 } // namespace
 
-std::vector<MaterialRecord> pack_materials(const Scene& scene) {
+static constexpr uint32_t bit(uint32_t index) {
+    return 1u << index;
+}
+
+static constexpr uint32_t LAYERED_LOBES = bit(LOBE_GLOSSY) | bit(LOBE_DIFFUSE);
+
+static bool is_rough_alpha(float roughness) {
+    return roughness * roughness >= SMOOTH_ALPHA;
+}
+
+static uint32_t clear_lobe(const Material& m) {
+    return bit(m.thin_walled ? LOBE_THIN : LOBE_DIELECTRIC);
+}
+
+uint32_t lobes_of(const Material& m) {
+    switch (m.kind) {
+    case MaterialKind::diffuse:
+        return bit(LOBE_DIFFUSE);
+    case MaterialKind::conductor: // what meets several microfacets leaves evenly
+        return bit(LOBE_GLOSSY) | (is_rough_alpha(m.roughness) ? bit(LOBE_DIFFUSE) : 0);
+    case MaterialKind::dielectric:
+        return clear_lobe(m);
+    case MaterialKind::metallic_roughness:
+        return LAYERED_LOBES | (m.transmission > 0 ? clear_lobe(m) : 0) |
+               (m.diffuse_transmission > 0 ? bit(LOBE_BEHIND) : 0) |
+               (m.clearcoat > 0 ? bit(LOBE_COAT) : 0) |
+               (m.sheen_color != glm::vec3(0) ? bit(LOBE_SHEEN) : 0);
+    case MaterialKind::unlit:
+    case MaterialKind::phong: // path_material() has made something else of it
+        break;
+    }
+    return 0;
+}
+
+MaterialFeatures features_of(const Material& m) {
+    const uint32_t lobes = lobes_of(m);
+    const bool mixed = m.kind == MaterialKind::metallic_roughness;
+    const bool solid = lobes & bit(LOBE_DIELECTRIC), thin = lobes & bit(LOBE_THIN);
+    // Textures only lower the roughness.
+    const bool may_be_rough = is_rough_alpha(m.roughness);
+    const bool may_be_smooth = !may_be_rough || m.metallic_roughness_texture != NO_TEXTURE;
+    MaterialFeatures features{};
+    constexpr uint32_t MIRRORING_LOBES = bit(LOBE_GLOSSY) | bit(LOBE_DIELECTRIC) | bit(LOBE_THIN);
+    features.rough = (may_be_rough && (lobes & MIRRORING_LOBES)) ||
+                     (lobes & bit(LOBE_COAT) && is_rough_alpha(m.clearcoat_roughness));
+    features.layered = (lobes & LAYERED_LOBES) == LAYERED_LOBES || thin;
+    features.index = mixed && m.ior != 1.5f;
+    features.specular = mixed && (m.specular != 1 || m.specular_color != glm::vec3(1));
+    features.iridescence = mixed && m.iridescence > 0;
+    features.transmission = mixed && m.transmission > 0;
+    features.absorption = solid && m.attenuation_distance && m.attenuation_color != glm::vec3(1);
+    features.pane = thin && may_be_smooth;
+    features.unbent = solid && may_be_smooth && m.shadows == GlassShadows::straight;
+    return features;
+}
+
+/// Halvings per unit of length, in the solid.
+static glm::vec3 absorption_of(const Material& m) {
+    if (!features_of(m).absorption) return glm::vec3(0);
+    // Black would be infinite; what is left of it after the distance is nothing to be seen.
+    return -glm::log2(glm::max(m.attenuation_color, 1e-6f)) / *m.attenuation_distance;
+}
+
+PackedMaterials pack_materials(const Scene& scene) {
     static_assert(uint32_t(MaterialKind::unlit) == MATERIAL_UNLIT);
     static_assert(uint32_t(AlphaMode::mask) == ALPHA_MASK);
     static_assert(uint32_t(AlphaMode::blend) == ALPHA_BLEND);
     static_assert(uint32_t(MaterialKind::metallic_roughness) == MATERIAL_METALLIC_ROUGHNESS);
     static_assert(uint32_t(MaterialKind::dielectric) == MATERIAL_DIELECTRIC);
     static_assert(uint32_t(MaterialKind::conductor) == MATERIAL_CONDUCTOR);
-    std::vector<MaterialRecord> records;
+    PackedMaterials packed;
+    AlbedoTables albedos;
     AlphaModes alpha_modes(scene);
     const LightGroups groups(scene);
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         const Material m = path_material(scene, i);
         MaterialRecord record{};
         record.kind = uint32_t(m.kind);
+        record.lobes = lobes_of(m);
+        const MaterialFeatures features = features_of(m);
+        if (features.layered) albedos.reflection();
+        if (record.lobes & bit(LOBE_SHEEN)) albedos.sheen();
+        if (features.rough && record.lobes & bit(LOBE_DIELECTRIC))
+            record.albedos = albedos.glass(m.ior);
+        record.blocks = m.shadows == GlassShadows::opaque;
+        copy(record.absorption, absorption_of(m));
         record.two_sided = m.two_sided;
         record.alpha_mode = alpha_modes.of(i);
         record.group = groups(m.group);
-        record.double_sided = m.double_sided || m.kind == MaterialKind::dielectric;
+        record.double_sided =
+            m.double_sided || record.lobes & (bit(LOBE_DIELECTRIC) | bit(LOBE_THIN));
 #define ONDE_COLOR(name) copy(record.name, m.name);
         MATERIAL_COLORS(ONDE_COLOR)
 #undef ONDE_COLOR
@@ -97,9 +171,10 @@ std::vector<MaterialRecord> pack_materials(const Scene& scene) {
 #define ONDE_TEXTURE(NAME, name) record.texture[TEXTURE_##NAME] = texture_index(m.name##_texture);
         TEXTURE_SLOTS(ONDE_TEXTURE)
 #undef ONDE_TEXTURE
-        records.push_back(record);
+        packed.records.push_back(record);
     }
-    return records;
+    packed.albedos = std::move(albedos).words();
+    return packed;
 }
 
 std::vector<uint32_t> used_uv_sets(const Scene& scene) {

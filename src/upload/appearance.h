@@ -9,7 +9,28 @@
 
 namespace onde {
 
-std::vector<MaterialRecord> pack_materials(const Scene& scene);
+/// The lobes of kernels/shared/scene.h that a material has, as bits.
+uint32_t lobes_of(const Material& material);
+
+/// What a material asks of kernels; see SCENE_FEATURES.
+struct MaterialFeatures {
+    bool rough;    ///< it reflects or refracts by microfacets
+    bool layered;  ///< it scatters below a coat or between microfacets
+    bool index;    ///< its coat's is not 1.5
+    bool specular; ///< it reflects less, or in colour
+    bool iridescence;
+    bool transmission; ///< its body is clear in part
+    bool absorption;
+    bool pane;   ///< light goes straight through it, as it is thin and may be smooth
+    bool unbent; ///< likewise, though it is solid: light that no other way finds
+};
+MaterialFeatures features_of(const Material& material);
+
+struct PackedMaterials {
+    std::vector<MaterialRecord> records;
+    std::vector<uint32_t> albedos; ///< tables of shared/albedo.h
+};
+PackedMaterials pack_materials(const Scene& scene);
 
 /// The sets of texture coordinates that the scene's textures use, ascending; at least one. They are
 /// packed in this order.

@@ -9,6 +9,8 @@ constexpr uint32_t bit(uint32_t index) {
 
 constexpr uint32_t ROOM_KINDS =
     bit(MATERIAL_DIFFUSE) | bit(MATERIAL_CONDUCTOR) | bit(MATERIAL_DIELECTRIC);
+constexpr uint32_t ROOM_LOBES = bit(LOBE_DIFFUSE) | bit(LOBE_GLOSSY) | bit(LOBE_DIELECTRIC);
+constexpr uint32_t GLTF_LOBES = bit(LOBE_DIFFUSE) | bit(LOBE_GLOSSY);
 
 } // namespace
 
@@ -23,6 +25,16 @@ SceneFeatures model_features() {
             .alpha = true,
             .culling = true,
             .ground = true,
+            .rough = true,
+            .albedos = true,
+            .indices = true,
+            .specular = true,
+            .iridescence = true,
+            .transmission = true,
+            .absorption = true,
+            .panes = true,
+            .unbent = true,
+            .lobes = ALL_LOBES,
             .kinds = ROOM_KINDS | bit(MATERIAL_METALLIC_ROUGHNESS) | bit(MATERIAL_UNLIT),
             .lights = bit(LIGHT_TRIANGLE) | bit(LIGHT_POINT) | bit(LIGHT_SPOT) |
                       bit(LIGHT_DIRECTIONAL) | bit(LIGHT_ENVIRONMENT),
@@ -30,11 +42,19 @@ SceneFeatures model_features() {
 }
 
 std::vector<CommonFeatures> common_features() {
-    const SceneFeatures room{
-        .spheres = true, .kinds = ROOM_KINDS, .lights = bit(LIGHT_TRIANGLE), .stack_size = 64};
+    const SceneFeatures room{.spheres = true,
+                             .rough = true,
+                             .albedos = true,
+                             .lobes = ROOM_LOBES,
+                             .kinds = ROOM_KINDS,
+                             .lights = bit(LIGHT_TRIANGLE),
+                             .stack_size = 64};
     const SceneFeatures shapes{.instances = true,
                                .shapes = true,
                                .environment = true,
+                               .rough = true,
+                               .albedos = true,
+                               .lobes = ROOM_LOBES,
                                .kinds = ROOM_KINDS,
                                .lights = bit(LIGHT_DISK) | bit(LIGHT_ENVIRONMENT),
                                .stack_size = 64};
@@ -44,6 +64,10 @@ std::vector<CommonFeatures> common_features() {
                                  .environment = true,
                                  .culling = true,
                                  .ground = true,
+                                 .rough = true,
+                                 .albedos = true,
+                                 .lobes = GLTF_LOBES,
+                                 .common_lobes = GLTF_LOBES,
                                  .kinds = bit(MATERIAL_METALLIC_ROUGHNESS),
                                  .lights = bit(LIGHT_ENVIRONMENT),
                                  .stack_size = 64};
@@ -52,6 +76,8 @@ std::vector<CommonFeatures> common_features() {
     SceneFeatures everything = large;
     everything.instances = everything.spheres = true;
     everything.kinds = ALL_KINDS;
+    everything.lobes = ALL_LOBES;
+    everything.common_lobes = 0;
     everything.lights = bit(LIGHT_TRIANGLE) | bit(LIGHT_ENVIRONMENT);
     return {{"a closed room with spheres", room},
             {"analytic shapes", shapes},

@@ -6,6 +6,7 @@ namespace onde {
 
 SceneFeatures joined(SceneFeatures own, const SceneFeatures& more) {
     const auto either = [](auto a, auto b) { return decltype(a)(a | b); };
+    const auto shared = [](auto a, auto b) { return decltype(a)(a & b); };
     const auto larger = [](auto a, auto b) { return std::max(a, b); };
     const auto data = [](auto a, auto) { return a; };
 #define ONDE_FEATURE(Type, name, initial, NAME, join) own.name = join(own.name, more.name);

@@ -11,11 +11,12 @@
 namespace onde {
 
 inline constexpr uint32_t ALL_KINDS = (1u << MATERIAL_KIND_COUNT) - 1;
+inline constexpr uint32_t ALL_LOBES = (1u << LOBE_COUNT) - 1;
 inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
 
 /// FEATURE(Type, name, initial, NAME of the kernels' ONDE_NAME, how kernels of two scenes have it):
-/// either: as bits of both; larger: the larger number; data: as it lies in memory, so that
-/// there are no kernels for two scenes that differ in it.
+/// either: as bits of both; shared: what both have; larger: the larger number; data: as it lies in
+/// memory, so that there are no kernels for two scenes that differ in it.
 #define SCENE_FEATURES(FEATURE)                                                                    \
     FEATURE(bool, instances, false, INSTANCES, either)                                             \
     FEATURE(bool, spheres, false, SPHERES, either)                                                 \
@@ -29,12 +30,23 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(bool, nearest_filters, false, NEAREST_FILTERS, either)                                 \
     FEATURE(bool, wide_textures, false, WIDE_TEXTURES, either) /* some have 16-bit samples */      \
     FEATURE(bool, vertex_colors, false, VERTEX_COLORS, data)                                       \
-    FEATURE(bool, alpha, false, ALPHA, either)     /* some surface lets rays pass */               \
-    FEATURE(bool, culling, false, CULLING, either) /* cameras see through the back of some */      \
-    FEATURE(bool, ground, false, GROUND, either)   /* a plane takes the scene's shadow */          \
+    FEATURE(bool, alpha, false, ALPHA, either)       /* some surface lets rays pass */             \
+    FEATURE(bool, culling, false, CULLING, either)   /* cameras see through the back of some */    \
+    FEATURE(bool, ground, false, GROUND, either)     /* a plane takes the scene's shadow */        \
+    FEATURE(bool, rough, false, ROUGH, either)       /* some surface has microfacets */            \
+    FEATURE(bool, albedos, false, ALBEDOS, either)   /* some scatters below or between them */     \
+    FEATURE(bool, indices, false, INDICES, either)   /* of coats other than 1.5 */                 \
+    FEATURE(bool, specular, false, SPECULAR, either) /* some coat reflects less, or in colour */   \
+    FEATURE(bool, iridescence, false, IRIDESCENCE, either)   /* some coat is a thin film */        \
+    FEATURE(bool, transmission, false, TRANSMISSION, either) /* some coat's body is clear */       \
+    FEATURE(bool, absorption, false, ABSORPTION, either)     /* in some solid */                   \
+    FEATURE(bool, panes, false, PANES, either)   /* light goes straight through some thin wall */  \
+    FEATURE(bool, unbent, false, UNBENT, either) /* or through solid glass, for want of others */  \
+    FEATURE(uint32_t, lobes, 0, LOBES, either)   /* bits by LOBE_..., of some material */          \
+    FEATURE(uint32_t, common_lobes, 0, COMMON_LOBES, shared) /* and of all */                      \
+    FEATURE(uint32_t, kinds, 0, KINDS, either)               /* bits by MATERIAL_... */            \
+    FEATURE(uint32_t, lights, 0, LIGHTS, either)             /* bits by LIGHT_... */               \
     FEATURE(bool, motion, false, MOTION, data)     /* the next frame is known */                   \
-    FEATURE(uint32_t, kinds, 0, KINDS, either)     /* bits by MATERIAL_... */                      \
-    FEATURE(uint32_t, lights, 0, LIGHTS, either)   /* bits by LIGHT_... */                         \
     FEATURE(bool, light_tree, false, LIGHT_TREE, data)                                             \
     FEATURE(uint32_t, stack_size, 1, STACK_SIZE, larger)                                           \
     FEATURE(bool, watertight, false, WATERTIGHT, data)

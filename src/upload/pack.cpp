@@ -15,7 +15,8 @@
 namespace onde {
 
 std::vector<std::string> SceneFeatures::defines() const {
-    std::vector<std::string> all{fmt::format("ONDE_PASSING={:d}", alpha || culling)};
+    std::vector<std::string> all{
+        fmt::format("ONDE_PASSING={:d}", alpha || culling || panes || unbent)};
 #define ONDE_DEFINE(Type, name, initial, NAME, join)                                               \
     all.push_back(fmt::format("ONDE_" #NAME "={:d}", name));
     SCENE_FEATURES(ONDE_DEFINE)
@@ -23,8 +24,32 @@ std::vector<std::string> SceneFeatures::defines() const {
     return all;
 }
 
-static SceneFeatures find_features(const Scene& scene, const PackedScene& packed) {
+/// What of them materials and lights decide.
+static SceneFeatures material_features(const Scene& scene) {
     SceneFeatures features;
+    for (uint32_t i = 0; i < scene.materials.size(); i++) {
+        const Material material = path_material(scene, i);
+        const MaterialFeatures own = features_of(material);
+        features.normal_maps |= normal_map_of(material) != NO_TEXTURE;
+        features.kinds |= 1u << uint32_t(material.kind);
+        features.rough |= own.rough;
+        features.albedos |= own.layered;
+        features.indices |= own.index;
+        features.specular |= own.specular;
+        features.iridescence |= own.iridescence;
+        features.transmission |= own.transmission;
+        features.absorption |= own.absorption;
+        features.panes |= own.pane;
+        features.unbent |= own.unbent;
+    }
+    const bool has_delta_lights = !scene.point_lights.empty() || !scene.spot_lights.empty() ||
+                                  !scene.directional_lights.empty();
+    features.unbent &= has_delta_lights;
+    return features;
+}
+
+static SceneFeatures find_features(const Scene& scene, const PackedScene& packed) {
+    SceneFeatures features = material_features(scene);
     features.instances = packed.bvh.has_instances;
     features.watertight = packed.bvh.watertight;
     features.layout = packed.bvh.layout;
@@ -32,10 +57,6 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.shapes = !scene.shapes.empty();
     features.curved = !packed.bulges.empty();
     features.textures = !scene.textures.empty();
-    for (uint32_t i = 0; i < scene.materials.size(); i++) {
-        features.normal_maps |= scene.materials[i].normal_texture != NO_TEXTURE;
-        features.kinds |= 1u << uint32_t(path_material(scene, i).kind);
-    }
     features.uv_sets = uint32_t(used_uv_sets(scene).size());
     for (const Texture& texture : scene.textures) {
         features.texture_transforms |= texture.transform != UvTransform{};
@@ -43,7 +64,10 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
         features.wide_textures |= !texture.image.low.empty();
     }
     features.vertex_colors = !packed.colors.empty();
+    features.common_lobes = ~0u;
     for (const MaterialRecord& material : packed.materials) {
+        features.lobes |= material.lobes;
+        features.common_lobes &= material.lobes;
         features.alpha |= material.alpha_mode != ALPHA_OPAQUE;
         features.culling |= !material.double_sided;
     }
@@ -80,6 +104,12 @@ std::optional<Extent> bounds_for_parallel_rays(const Scene& scene) {
     const auto is_parallel = [](const Camera& c) { return c.orthographic_height.has_value(); };
     if (std::ranges::none_of(scene.cameras, is_parallel)) return std::nullopt;
     return extent_of(scene).all;
+}
+
+static void pack_appearance(PackedScene& packed, const Scene& scene) {
+    PackedMaterials materials = pack_materials(scene);
+    packed.materials = std::move(materials.records);
+    packed.albedos = std::move(materials.albedos);
 }
 
 static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry flat,
@@ -122,7 +152,7 @@ PackedScene pack_scene(const Scene& scene, const BvhOptions& options, const Ligh
     FlatGeometry flat = flatten_geometry(scene);
     build_tree(packed, flat, options);
     pack_geometry(packed, scene, std::move(flat), lights.sampler);
-    packed.materials = pack_materials(scene);
+    pack_appearance(packed, scene);
     PackedTextures textures = pack_textures(scene);
     packed.textures = std::move(textures.records);
     packed.texels = std::move(textures.texels);
@@ -154,7 +184,7 @@ void repack_scene(PackedScene& packed, const Scene& scene, SceneChange change,
             build_tree(packed, flat, options);
         pack_geometry(packed, scene, std::move(flat), lights.sampler);
     }
-    packed.materials = pack_materials(scene);
+    pack_appearance(packed, scene);
     packed.environment_group = LightGroups(scene)(scene.environment.group);
     take_next_view(packed, scene);
     packed.features = find_features(scene, packed);

@@ -154,6 +154,26 @@ TEST_CASE("the same seed gives the same pixels and another seed others") {
     CHECK(pixels_of(folder, "c.exr", {"--seed", "8"}) != seven);
 }
 
+TEST_CASE("--light-sampler decides which light a path samples, and so which film goes on") {
+    const Folder folder;
+    const std::string lights = ONDE_SOURCE_DIR "/scenes/lights.toml";
+    const auto film_by = [&](const char* sampler, const Arguments& more) {
+        Arguments all{"--light-sampler", sampler, "--spp", "64", "--film"};
+        all.insert(all.end(), more.begin(), more.end());
+        return onde::test::onde(folder, render(lights, all));
+    };
+    REQUIRE(film_by("power", {"power.exr"}).code == 0);
+    REQUIRE(film_by("auto", {"auto.exr"}).code == 0); // few lights
+    REQUIRE(film_by("tree", {"tree.exr"}).code == 0);
+    const auto pixels = [&](const char* name) { return onde::read_image(folder / name).pixels; };
+    CHECK(pixels("power.exr") == pixels("auto.exr"));
+    CHECK(pixels("power.exr") != pixels("tree.exr"));
+    const Outcome other = film_by("power", {"next.exr", "--resume", "tree.exr"});
+    CHECK(other.code == 2);
+    CHECK_THAT(other.err, Catch::Contains("light sampler"));
+    CHECK(film_by("bvh", {"next.exr"}).code == 2);
+}
+
 TEST_CASE("a render in small waves has the pixels of a render in one") {
     const Folder folder;
     const Arguments samples{"--spp", "5"}, small{"--spp", "5", "--wave-size", "512"};

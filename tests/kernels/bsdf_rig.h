@@ -11,18 +11,9 @@ namespace onde::test::bsdf {
 
 using namespace doctor::bsdf;
 
-inline doctor::Probe& probe() {
-    static Probe built("bsdf.cl", 1, {"bsdf_eval", "bsdf_sample"});
-    return built.own();
-}
-
-inline Values evaluate(const Surface& surface, const std::vector<glm::vec3>& wo,
-                       const std::vector<glm::vec3>& wi) {
-    return evaluate(probe(), surface, wo, wi);
-}
-
-inline Samples sample(const Surface& surface, glm::vec3 wo, size_t count, uint32_t seed) {
-    return sample(probe(), surface, wo, count, seed);
+/// Surfaces on the tests' device.
+inline Bsdfs on_device(std::vector<Surface> surfaces) {
+    return Bsdfs(programs(), std::move(surfaces), 1);
 }
 
 inline const Quadrature& quadrature() {
@@ -30,8 +21,8 @@ inline const Quadrature& quadrature() {
     return built;
 }
 
-inline Values evaluate_sphere(const Surface& surface, glm::vec3 wo) {
-    return evaluate_sphere(probe(), quadrature(), surface, wo);
+inline Values evaluate_sphere(Bsdfs& bsdfs, const Surface& surface, glm::vec3 wo) {
+    return evaluate_sphere(bsdfs, quadrature(), surface, wo);
 }
 
 /// The integral over the sphere of a column that `weigh(direction)` scales.

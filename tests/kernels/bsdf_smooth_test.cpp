@@ -6,8 +6,9 @@ using namespace onde::test;
 using namespace onde::test::bsdf;
 
 TEST_CASE("a smooth conductor mirrors, and its weight is its reflectance") {
+    Bsdfs bsdfs = on_device({conductor(0, 0.5f)});
     for (glm::vec3 wo : outgoing()) {
-        const Samples samples = sample(conductor(0, 0.5f), wo, 64, 6);
+        const Samples samples = sample(bsdfs, bsdfs.surfaces()[0], wo, 64, 6);
         const double wanted = 0.5 + 0.5 * std::pow(1 - double(wo.z), 5);
         for (size_t i = 0; i < samples.wi.size(); i++) {
             REQUIRE((samples.delta[i] != 0 && samples.valid[i] != 0 && samples.pdf[i] == 0));
@@ -19,10 +20,12 @@ TEST_CASE("a smooth conductor mirrors, and its weight is its reflectance") {
 
 TEST_CASE("smooth glass reflects by Fresnel's probability and refracts by Snell's law") {
     constexpr size_t COUNT = 1 << 14;
-    for (float eta : {1.5f, 1 / 1.5f})
+    Bsdfs bsdfs = on_device({glass(0, 1.5f), glass(0, 1.5f, false)});
+    for (const Surface& surface : bsdfs.surfaces())
         for (glm::vec3 wo : outgoing()) {
-            INFO("index " << eta << ", cosine " << wo.z);
-            const Samples samples = sample(glass(0, eta), wo, COUNT, 7);
+            INFO(surface.name << ", cosine " << wo.z);
+            const auto eta = float(surface.eta());
+            const Samples samples = sample(bsdfs, surface, wo, COUNT, 7);
             size_t reflected = 0;
             for (size_t i = 0; i < COUNT; i++) {
                 REQUIRE((samples.delta[i] != 0 && samples.valid[i] != 0));
@@ -48,26 +51,34 @@ TEST_CASE("smooth glass reflects by Fresnel's probability and refracts by Snell'
 }
 
 TEST_CASE("delta lobes have no value and no pdf") {
-    for (const Surface& surface : {conductor(0), glass(0, 1.5f)}) {
-        const Values values = evaluate_sphere(surface, outgoing()[1]);
+    Bsdfs bsdfs = on_device({conductor(0), glass(0, 1.5f)});
+    for (const Surface& surface : bsdfs.surfaces()) {
+        const Values values = evaluate_sphere(bsdfs, surface, outgoing()[1]);
         CHECK(integrate(values.value[0]) == 0);
         CHECK(integrate(values.pdf) == 0);
     }
 }
 
 TEST_CASE("a smooth mix samples its diffuse lobe by the pdf of that lobe alone") {
-    const Surface surface = mix(0, 0);
-    const Values values = evaluate_sphere(surface, outgoing()[1]);
-    CHECK(integrate(values.pdf) == Approx(1 - surface.glossy).epsilon(1e-5));
-    const Samples samples = sample(surface, outgoing()[1], 1 << 14, 8);
+    Bsdfs bsdfs = on_device({mix(0, 0)});
+    const Surface& surface = bsdfs.surfaces()[0];
+    const glm::vec3 wo = outgoing()[1];
+    Columns in = columns_of(surface, 1);
+    add_vectors(in, {wo});
+    const double mirrors = bsdfs.probe().run("bsdf_lobes", in, 2 * LOBE_COUNT)[LOBE_GLOSSY][0];
+    CHECK(mirrors > 0.02);
+    CHECK(mirrors < 0.5);
+    const Values values = evaluate_sphere(bsdfs, surface, wo);
+    CHECK(integrate(values.pdf) == Approx(1 - mirrors).epsilon(1e-5));
+    const Samples samples = sample(bsdfs, surface, wo, 1 << 14, 8);
     double sum = 0, deltas = 0;
     for (size_t i = 0; i < samples.wi.size(); i++) {
         sum += samples.delta[i] != 0 ? 0.0 : double(samples.weight[i].x);
         deltas += samples.delta[i];
     }
     const double count = double(samples.wi.size());
-    CHECK(deltas / count == Approx(surface.glossy).margin(5 * 0.5 / std::sqrt(count)));
-    // Weights are at most 1 / (1 - glossy).
+    CHECK(deltas / count == Approx(mirrors).margin(5 * 0.5 / std::sqrt(count)));
+    // Weights are at most 1 / (1 - mirrors).
     CHECK(sum / count ==
-          Approx(integrate(values.value[0])).margin(5 / (1 - surface.glossy) / std::sqrt(count)));
+          Approx(integrate(values.value[0])).margin(5 / (1 - mirrors) / std::sqrt(count)));
 }

@@ -2,6 +2,7 @@
 #include "scratch.h"
 
 #include "scene/merge.h"
+#include "shared/scene.h"
 
 #include <limits>
 #include <set>
@@ -190,7 +191,7 @@ TEST_CASE("every texture slot is checked, and moved with the textures of its sce
         CHECK(whole.materials[3].*field.member == NO_TEXTURE);
         ++slots;
     });
-    CHECK(slots == 4);
+    CHECK(slots == TEXTURE_COUNT);
 }
 
 TEST_CASE("every render setting is taken from a part where the whole has none") {

@@ -131,14 +131,55 @@ TEST_CASE("an image that no material uses is never decoded") {
               .textures.empty());
 }
 
-TEST_CASE("untextured transmission above one half becomes glass with its index of refraction") {
+TEST_CASE("what transmits is a sheet, or with a volume a solid that absorbs") {
     const Scene scene = load_quad(quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
-  "materials": [{"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1},
-                                "KHR_materials_ior": {"ior": 1.33}}}])"));
-    CHECK(scene.materials[0].kind == MaterialKind::dielectric);
-    CHECK(scene.materials[0].ior == Approx(1.33f));
-    CHECK(phong_of(scene, 0).transmission == 1);
-    CHECK(has_note(scene, "glass"));
+  "materials": [
+    {"pbrMetallicRoughness": {"metallicFactor": 0},
+     "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.75},
+                    "KHR_materials_ior": {"ior": 1.33}}},
+    {"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1},
+                    "KHR_materials_volume": {"thicknessFactor": 2, "attenuationDistance": 3,
+                                             "attenuationColor": [0.5, 0.25, 1]}}},
+    {"extensions": {"KHR_materials_ior": {"ior": 0}}}, {}])"));
+    const Material& sheet = scene.materials[0];
+    CHECK(sheet.kind == MaterialKind::metallic_roughness);
+    CHECK(sheet.ior == Approx(1.33f));
+    CHECK(sheet.transmission == 0.75f);
+    CHECK(sheet.thin_walled);
+    CHECK_FALSE(sheet.attenuation_distance);
+    CHECK(phong_of(scene, 0).transmission == 0.75f);
+    const Material& solid = scene.materials[1];
+    CHECK_FALSE(solid.thin_walled);
+    CHECK(solid.attenuation_distance == 3.0f);
+    CHECK(solid.attenuation_color == glm::vec3(0.5f, 0.25f, 1));
+    CHECK(scene.materials[2].ior == 100); // stands for an index without end
+    CHECK(scene.materials[3].transmission == 0);
+}
+
+TEST_CASE("layers and reflectances of glTF's extensions are read, and held to their ranges") {
+    const Scene scene = load_quad(quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,
+  "materials": [{"extensions": {
+    "KHR_materials_specular": {"specularFactor": 0.5, "specularColorFactor": [2, 0.5, 0]},
+    "KHR_materials_clearcoat": {"clearcoatFactor": 0.75, "clearcoatRoughnessFactor": 0.25},
+    "KHR_materials_sheen": {"sheenColorFactor": [0.5, 7, 1], "sheenRoughnessFactor": 0.5},
+    "KHR_materials_iridescence": {"iridescenceFactor": 1, "iridescenceIor": 1.5,
+                                  "iridescenceThicknessMinimum": 50,
+                                  "iridescenceThicknessMaximum": 800},
+    "KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 2,
+                                           "diffuseTransmissionColorFactor": [1, 0.5, 0.25]}}}])"));
+    const Material& m = scene.materials[0];
+    CHECK(m.specular == 0.5f);
+    CHECK(m.specular_color == glm::vec3(2, 0.5f, 0));
+    CHECK(m.clearcoat == 0.75f);
+    CHECK(m.clearcoat_roughness == 0.25f);
+    CHECK(m.sheen_color == glm::vec3(0.5f, 1, 1));
+    CHECK(m.sheen_roughness == 0.5f);
+    CHECK(m.iridescence == 1);
+    CHECK(m.iridescence_ior == 1.5f);
+    CHECK(m.iridescence_thickness_minimum == 50);
+    CHECK(m.iridescence_thickness == 800);
+    CHECK(m.diffuse_transmission == 1);
+    CHECK(m.diffuse_transmission_color == glm::vec3(1, 0.5f, 0.25f));
 }
 
 TEST_CASE("alpha modes, sides and unlit materials of glTF are kept") {

@@ -14,6 +14,7 @@
 #define ESTIMATOR_TRANSLUCENT (ONDE_TRANSLUCENT || ONDE_ALPHA)
 #define ESTIMATOR_CONNECTS_START 0
 #define ESTIMATOR_SPLATS 0
+#define ESTIMATOR_UNBENT 0
 #define ESTIMATOR_COLUMNS WHITTED_COLUMNS
 #define ESTIMATOR_CONNECTIONS CONNECTION_COLUMNS
 
@@ -134,8 +135,8 @@ OUTLINED Step estimator_vertex(Estimator e, State ray, Hits hits, natural id, ui
 }
 
 #if ESTIMATOR_TRANSLUCENT
-INLINE real estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
-                                    mask lanes) {
+INLINE real3 estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
+                                     mask unbent, mask lanes) {
     SpilledRays rays;
     spill_rays(&rays, origin, direction);
     float end[ONDE_WIDTH], through[ONDE_WIDTH];
@@ -146,11 +147,11 @@ INLINE real estimator_transmittance(Estimator e, real3 origin, real3 direction, 
         through[k] = source_transmittance(e.view, e.w.phong, spilled_origin(&rays, k),
                                           spilled_direction(&rays, k), end[k]);
     }
-    return unspill_real(through);
+    return splat3(unspill_real(through));
 }
 #endif
 
-#if ONDE_PASSING
+#if ONDE_SEEN_THROUGH
 INLINE mask estimator_culls(State ray, mask lanes) {
     return lanes;
 }

@@ -1,5 +1,7 @@
 // Glass: reflection and refraction at a GGX-rough or smooth boundary (Walter et al. 2007).
-// Radiance is scaled by 1 / eta^2 where it is refracted.
+// Radiance is scaled by 1 / eta^2 where it is refracted. What a rough boundary loses between its
+// microfacets leaves it evenly, to both sides (Kulla and Conty, "Revisiting Physically Based
+// Shading at Imageworks", 2017).
 #ifndef ONDE_SHADE_LOBES_DIELECTRIC_H
 #define ONDE_SHADE_LOBES_DIELECTRIC_H
 
@@ -10,10 +12,46 @@ typedef struct {
     real3 tint; // of what goes through
     real alpha;
     real eta; // index below over index above
+#if ONDE_TRANSMISSION
+    real share; // of the surface that is clear
+#endif
+#if ONDE_ROUGH
+    AlbedoRow row;
+    mask front;      // whether the directions above lie outside
+    real lost;       // between microfacets, of light along wo
+    real below;      // the part of that which comes out below
+    real2 mean_lost; // of light from above, and from below
+    __global const uint* albedos;
+#endif
 } DielectricLobe;
 
 // However rough, a boundary of equal indices turns no light around.
 #define EQUAL_INDICES 1e-4f
+
+#if ONDE_ROUGH
+// What is lost of light from above and from below.
+INLINE real2 dielectric_lost(DielectricLobe lobe, real2 albedos) {
+    const real outside = 1.0f - albedos.x, inside = 1.0f - albedos.y;
+    return make2(choose(lobe.front, outside, inside), choose(lobe.front, inside, outside));
+}
+
+INLINE DielectricLobe dielectric_losses(SceneView view, MaterialPoint m, DielectricLobe lobe) {
+    const natural table = RECORD_NATURAL(view.materials, m.material, MaterialRecord, albedos);
+    lobe.row = albedo_row(table, lobe.alpha);
+    lobe.albedos = view.albedos;
+    lobe.front = m.front;
+    const mask rough = lobe.alpha >= SMOOTH_ALPHA;
+    const real2 lost = dielectric_lost(lobe, albedo_numbers(view.albedos, lobe.row, m.cosine));
+    const real2 mean = dielectric_lost(lobe, albedo_means(view.albedos, lobe.row));
+    const real least = (real)(1e-5f);
+    lobe.mean_lost = make2(max_real(mean.x, least), max_real(mean.y, least));
+    lobe.lost = choose(rough, lost.x, (real)(0.0f));
+    // Both sides send each other the same, in units of their own media.
+    lobe.below =
+        mean_transmission(lobe.eta) * min_real(lobe.mean_lost.y / lobe.mean_lost.x, (real)(1.0f));
+    return lobe;
+}
+#endif
 
 INLINE DielectricLobe dielectric_load(SceneView view, MaterialPoint m) {
     DielectricLobe lobe;
@@ -21,10 +59,23 @@ INLINE DielectricLobe dielectric_load(SceneView view, MaterialPoint m) {
     const real ior = RECORD(view.materials, m.material, MaterialRecord, ior);
     lobe.alpha = choose(fabs(ior - 1.0f) < EQUAL_INDICES, (real)(0.0f), m.alpha);
     lobe.eta = choose(m.front, ior, 1.0f / ior);
+#if ONDE_TRANSMISSION
+    lobe.share = clear_share(m);
+#endif
+#if ONDE_ROUGH
+    lobe = dielectric_losses(view, m, lobe);
+#endif
     return lobe;
 }
-INLINE real dielectric_weight(DielectricLobe lobe, real cosine) {
+INLINE real dielectric_share(DielectricLobe lobe) {
+#if ONDE_TRANSMISSION
+    return lobe.share;
+#else
     return (real)(1.0f);
+#endif
+}
+INLINE real dielectric_weight(DielectricLobe lobe, MaterialPoint m) {
+    return dielectric_share(lobe);
 }
 
 // Refracts wo about h (dot(wo, h) >= 0); meaningless under total internal reflection.
@@ -64,17 +115,32 @@ INLINE mask dielectric_is_smooth(DielectricLobe lobe) {
     return lobe.alpha < SMOOTH_ALPHA;
 }
 
+#if ONDE_ROUGH
+// Adds what has met several microfacets.
+INLINE LobeValue dielectric_regained(DielectricLobe lobe, real3 wi, LobeValue v, mask below) {
+    const real cosine = fabs(wi.z);
+    const real2 lost = dielectric_lost(lobe, albedo_numbers(lobe.albedos, lobe.row, cosine));
+    const real over = INV_PI * cosine * lobe.lost;
+    const real up = (1.0f - lobe.below) * lost.x / lobe.mean_lost.x;
+    const real down = lobe.below * lost.y / (lobe.mean_lost.y * lobe.eta * lobe.eta);
+    v.value = add3(v.value, splat3(over * choose(below, down, up)));
+    const real even = INV_PI * cosine * choose(below, lobe.below, 1.0f - lobe.below);
+    v.pdf = fma(lobe.lost, even - v.pdf, v.pdf);
+    return v;
+}
+#endif
+
 INLINE LobeValue dielectric_eval(DielectricLobe lobe, real3 wo, real3 wi, mask lanes) {
-    const mask rough = lanes & (lobe.alpha >= SMOOTH_ALPHA);
     LobeValue v = no_lobe_value();
+#if ONDE_ROUGH
+    const mask rough = lanes & (lobe.alpha >= SMOOTH_ALPHA);
     if (!mask_bits(rough)) return v;
     const Boundary b = boundary_between(lobe, wo, wi);
     const mask possible = rough & b.possible;
     const real body =
         ggx_distribution(b.h, lobe.alpha) * ggx_masking_shadowing(wo, wi, lobe.alpha) / wo.z;
     const real refracted = (1.0f - b.fresnel) * body * b.out * b.jacobian;
-    const real3 tint = choose(b.below, lobe.tint, splat3((real)(1.0f)));
-    v.tint = choose(possible, tint, v.tint);
+    v.tint = choose(b.below, lobe.tint, splat3((real)(1.0f)));
     v.value = splat3(choose(b.below, refracted / (lobe.eta * lobe.eta), b.fresnel * body * 0.25f));
     v.value = choose(possible, v.value, zero3());
 
@@ -82,6 +148,11 @@ INLINE LobeValue dielectric_eval(DielectricLobe lobe, real3 wo, real3 wi, mask l
     const real mirrored = b.fresnel * visible / (4.0f * max_real(b.out, (real)(1e-9f)));
     const real pdf = choose(b.below, (1.0f - b.fresnel) * visible * b.jacobian, mirrored);
     v.pdf = choose(possible, pdf, v.pdf);
+    v = dielectric_regained(lobe, wi, v, b.below);
+    v.tint = choose(rough, scale3(v.tint, dielectric_share(lobe)), zero3());
+    v.value = choose(rough, v.value, zero3());
+    v.pdf = choose(rough, v.pdf, (real)(0.0f));
+#endif
     return v;
 }
 
@@ -90,14 +161,28 @@ INLINE LobeValue dielectric_eval(DielectricLobe lobe, real3 wo, real3 wi, mask l
 INLINE LobeSample dielectric_sample(DielectricLobe lobe, real3 wo, real choice, real2 u) {
     LobeSample s;
     s.delta = lobe.alpha < SMOOTH_ALPHA;
-    real3 h = sample_visible_normal(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), u);
-    h = choose(s.delta, make3((real)(0.0f), (real)(0.0f), (real)(1.0f)), h);
+    real3 h = make3((real)(0.0f), (real)(0.0f), (real)(1.0f));
+#if ONDE_ROUGH
+    const mask even = choice < lobe.lost;
+    const mask falls = choice < lobe.lost * lobe.below;
+    choice = (choice - lobe.lost) / max_real(1.0f - lobe.lost, (real)(1e-6f));
+    h = choose(s.delta, h,
+               sample_visible_normal(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), u));
+#endif
     const real fresnel = fresnel_dielectric(max_real(dot3(wo, h), (real)(0.0f)), lobe.eta);
     const mask refracted = choice >= fresnel;
     s.wi = choose(refracted, refract_about(wo, h, lobe.eta), reflect_about(wo, h));
     const real3 tint = scale3(lobe.tint, 1.0f / (lobe.eta * lobe.eta));
-    s.weight = choose(refracted, tint, splat3((real)(1.0f)));
+    s.weight = scale3(choose(refracted, tint, splat3((real)(1.0f))), dielectric_share(lobe));
     s.valid = choose(refracted, -s.wi.z, s.wi.z) > 0.0f;
+#if ONDE_ROUGH
+    if_any (even) {
+        const real3 up = sample_cosine_hemisphere(u);
+        const real3 wi = choose(falls, negate3(up), up);
+        s.wi = choose(even, wi, s.wi);
+        s.valid = choose(even, up.z > 0.0f, s.valid);
+    }
+#endif
     return s;
 }
 

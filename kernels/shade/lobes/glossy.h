@@ -1,34 +1,53 @@
 // Reflection by GGX microfacets: conductors, the specular part of glTF's mix (glTF 2.0, appendix
-// B). A mirror where it is smooth.
+// B). A mirror where it is smooth. What leaves the microfacets only after it has met several of
+// them is a matter of the diffuse lobe.
 #ifndef ONDE_SHADE_LOBES_GLOSSY_H
 #define ONDE_SHADE_LOBES_GLOSSY_H
 
 #include "shade/lobes/lobe.h"
 #include "shade/microfacet.h"
 
-// Reflectance at normal incidence of the dielectric half of glTF's mix (index 1.5).
-#define DIELECTRIC_F0 0.04f
-
 typedef struct {
     real3 f0; // reflectance at normal incidence
     real f90; // and at grazing
     real alpha;
+#if ONDE_IRIDESCENCE
+    real iridescence;
+    Film film;
+#endif
 } GlossyLobe;
 
 INLINE GlossyLobe glossy_load(SceneView view, MaterialPoint m) {
     const real metallic = choose(is_of_kind(m, MATERIAL_CONDUCTOR), (real)(1.0f), m.metallic);
     GlossyLobe lobe;
-    lobe.f0 = mix3(splat3((real)(DIELECTRIC_F0)), m.color, metallic);
-    lobe.f90 = (real)(1.0f);
+    const real opaque = opaque_share(m, metallic); // the clear part has its own reflection
+    lobe.f0 = madd3(m.color, metallic, scale3(m.f0, opaque));
+    lobe.f90 = fma(m.f90, opaque, metallic);
     lobe.alpha = m.alpha;
+#if ONDE_IRIDESCENCE
+    lobe.iridescence = m.iridescence;
+    lobe.film = m.film;
+#endif
     return lobe;
 }
 INLINE real3 glossy_fresnel(GlossyLobe lobe, real cosine) {
-    return fresnel_schlick(lobe.f0, lobe.f90, cosine);
+    const real3 plain = fresnel_schlick(lobe.f0, lobe.f90, cosine);
+#if ONDE_IRIDESCENCE
+    const real whole = max_real(lobe.f90, (real)(1e-6f));
+    const real3 film = film_fresnel(lobe.film, scale3(lobe.f0, 1.0f / whole), cosine);
+    return mix3(plain, scale3(film, whole), lobe.iridescence);
+#else
+    return plain;
+#endif
 }
 // Not 0 for black metals, which reflect at grazing angles.
-INLINE real glossy_weight(GlossyLobe lobe, real cosine) {
-    return max_real(luminance3(glossy_fresnel(lobe, cosine)), (real)(1e-9f));
+INLINE real glossy_weight(GlossyLobe lobe, MaterialPoint m) {
+    real reflected = luminance3(glossy_fresnel(lobe, m.cosine));
+#if ONDE_ALBEDOS
+    const real rough = schlick_albedo(m.albedo, luminance3(lobe.f0), lobe.f90);
+    reflected = choose(lobe.alpha < SMOOTH_ALPHA, reflected, rough);
+#endif
+    return max_real(reflected, (real)(1e-9f));
 }
 INLINE mask glossy_is_smooth(GlossyLobe lobe) {
     return lobe.alpha < SMOOTH_ALPHA;
@@ -38,6 +57,7 @@ INLINE mask glossy_is_smooth(GlossyLobe lobe) {
 INLINE LobeValue glossy_eval(GlossyLobe lobe, real3 wo, real3 wi, mask lanes) {
     const mask seen = lanes & (lobe.alpha >= SMOOTH_ALPHA) & (wi.z > 0.0f);
     LobeValue v = no_lobe_value();
+    if (!ONDE_ROUGH) return v;
     if_any (seen) {
         const real3 h = half_vector(wo, wi);
         const real d = ggx_distribution(h, lobe.alpha);

@@ -1,7 +1,7 @@
 // What every lobe of a BSDF gives and takes. Local directions: the shading normal is +z, wo is
 // above. A lobe `name` is a file of this folder and a line of LOBES in shared/scene.h:
 //   name_load(view, point)              its numbers, from a material's
-//   name_weight(lobe, cosine)           about how much it reflects, for the choice among lobes
+//   name_weight(lobe, point)            about how much it reflects, for the choice among lobes
 //   name_is_smooth(lobe)                whether all of it is a delta part
 //   name_eval(lobe, wo, wi, lanes)      BSDF times cosine, and the density of name_sample, both
 //                                       without their delta part; nothing in other lanes
@@ -10,7 +10,8 @@
 #define ONDE_SHADE_LOBES_LOBE_H
 
 #include "math/sampling.h"
-#include "shade/fresnel.h"
+#include "shade/albedo.h"
+#include "shade/film_interference.h"
 #include "shade/texture.h"
 
 // A material at a point: what several lobes need of it, textures and all. What one lobe needs it
@@ -22,12 +23,54 @@ typedef struct {
     real3 color;
     real alpha; // roughness^2
     real metallic;
-    mask front; // whether its front is seen
+    real3 f0; // reflectance of the dielectric half at normal incidence
+    real f90; // and at grazing
+#if ONDE_TRANSMISSION
+    real transmission; // the share of the dielectric half's body that is clear
+#endif
+    real behind; // the share of what is left that scatters light to the far side
+    real3 behind_color;
+    real clearcoat, coat_alpha;
+    real3 coat_normal; // in local directions
+    real3 sheen_color;
+    real sheen_alpha;
+#if ONDE_IRIDESCENCE
+    real iridescence;
+    Film film;
+#endif
+    mask front;  // whether its front is seen
+    real3 wo;    // view direction
+    real cosine; // of it and the shading normal, > 0
+#if ONDE_ALBEDOS
+    AlbedoRow row;
+    Albedo albedo; // of its microfacets, seen so
+#endif
 } MaterialPoint;
 
 // Whether it is of a kind; the answer is known where no material of the scene is.
 INLINE mask is_of_kind(MaterialPoint m, uint kind) {
     return ONDE_KINDS >> kind & 1u ? m.kind == kind : m.kind != m.kind;
+}
+
+// The share of a surface that has a clear body.
+INLINE real clear_share(MaterialPoint m) {
+#if ONDE_TRANSMISSION
+    const mask mixed = is_of_kind(m, MATERIAL_METALLIC_ROUGHNESS);
+    return choose(mixed, m.transmission * (1.0f - m.metallic), (real)(1.0f));
+#else
+    return (real)(1.0f);
+#endif
+}
+// Reflectance at normal incidence of a boundary to index 1.5, with the bits of the general formula.
+#define DIELECTRIC_F0 (0.2f * 0.2f)
+
+// Of a mix of dielectric and metal the part that is dielectric, but not clear.
+INLINE real opaque_share(MaterialPoint m, real metallic) {
+#if ONDE_TRANSMISSION
+    return (1.0f - metallic) * (1.0f - m.transmission);
+#else
+    return 1.0f - metallic;
+#endif
 }
 
 // BSDF times cosine is the product of tint and value; the sum of lobes rounds once.

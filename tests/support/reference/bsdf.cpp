@@ -1,11 +1,9 @@
 #include "support/reference/bsdf.h"
 
-#include "support/reference/microfacet.h"
-
 namespace onde::reference {
 namespace {
 
-constexpr float SMOOTH_ALPHA = 1e-3f;
+constexpr float LEAST_LOSS = 1e-5f; ///< a mean that is divided by
 constexpr float MIN_COSINE = 1e-3f; ///< of the viewer to the shading normal
 
 glm::vec3 facing_normal(const glm::vec3& geometric, const glm::vec3& shading, const glm::vec3& wo) {
@@ -33,10 +31,17 @@ glm::vec3 mirrored(const glm::vec3& wo, const glm::vec3& h) {
     return 2.0f * glm::dot(wo, h) * h - wo;
 }
 
-/// Of the dielectric half of metallic-roughness materials, which alone has a diffuse base
+/// What the coat reflects over the diffuse body of metallic-roughness materials, of index 1.5
 /// (glTF 2.0, appendix B.2).
-float dielectric_fresnel(float cosine) {
-    return 0.04f + 0.96f * schlick_weight(cosine);
+float coat_albedo(const glm::vec2& albedos) {
+    return 0.04f * albedos.x + 0.96f * albedos.y;
+}
+
+/// Of the light that microfacets of reflectance f0 lose, the part that leaves them after all (Kulla
+/// and Conty 2017, "Revisiting Physically Based Shading at Imageworks").
+glm::vec3 regained(const glm::vec3& f0, float mean_albedo) {
+    const glm::vec3 fresnel = f0 + (1.0f - f0) / 21.0f; // its mean, by Schlick
+    return fresnel * fresnel * mean_albedo / (1.0f - fresnel * (1.0f - mean_albedo));
 }
 
 /// Snell's law about h, on wo's side; eta is the index beyond over the index here. Not to be
@@ -57,33 +62,52 @@ Bsdf::Bsdf(const MaterialRecord& material, const glm::vec3& geometric_normal,
       wo_(frame_.to_local(wo)), alpha_(material.roughness * material.roughness),
       delta_(alpha_ < SMOOTH_ALPHA), transparent_(material.kind == MaterialKind::dielectric),
       bulges_(bulges) {
-    if (!transparent_) {
+    entering_ = glm::dot(geometric_normal, wo) >= 0.0f;
+    if (transparent_)
+        set_transparent(material);
+    else
         set_opaque(material);
-        return;
-    }
-    const bool entering = glm::dot(geometric_normal, wo) >= 0.0f;
-    diffuse_ = material.base_color;
-    eta_ = entering ? material.ior : 1.0f / material.ior;
-    // Equal indices do not refract, however rough the boundary.
-    delta_ = delta_ || std::abs(eta_ - 1.0f) < 1e-4f;
 }
 
 void Bsdf::set_opaque(const MaterialRecord& material) {
     const glm::vec3& color = material.base_color;
     if (material.kind == MaterialKind::diffuse) {
-        diffuse_ = color;
+        body_ = color;
         delta_ = false;
         return;
     }
-    f0_ = color;
-    specular_pmf_ = 1.0f;
-    if (material.kind == MaterialKind::conductor) return;
-    diffuse_ = color * (1.0f - material.metallic);
-    f0_ = glm::mix(glm::vec3(0.04f), color, material.metallic);
-    if (diffuse_ == glm::vec3(0.0f)) return;
-    const float fresnel = luminance(f0_ + (1.0f - f0_) * schlick_weight(wo_.z));
-    const float rest = luminance(diffuse_) * (1.0f - dielectric_fresnel(wo_.z));
-    specular_pmf_ = glm::clamp(fresnel / (fresnel + rest), 0.1f, 0.9f);
+    const float metallic = material.kind == MaterialKind::conductor ? 1.0f : material.metallic;
+    f0_ = glm::mix(glm::vec3(0.04f), color, metallic);
+    if (!delta_) albedos_ = Albedos(*material.albedos, material.roughness);
+    const glm::vec2 albedos = albedos_.at(wo_.z), mean = albedos_.mean();
+    // Kelemen and Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model with
+    // Importance Sampling": reciprocal, and white over a white body.
+    const glm::vec3 body = (1.0f - metallic) * (1.0f - coat_albedo(albedos)) * color;
+    body_ = body / (1.0f - coat_albedo(mean));
+    const glm::vec3 back = metallic * (1.0f - albedos.x) * regained(color, mean.x);
+    between_ = back / std::max(1.0f - mean.x, LEAST_LOSS);
+    const float specular = luminance(f0_ * albedos.x + (1.0f - f0_) * albedos.y);
+    const float even = luminance(body + back);
+    specular_pmf_ = even > 0.0f ? glm::clamp(specular / (specular + even), 0.1f, 0.98f) : 1.0f;
+}
+
+void Bsdf::set_transparent(const MaterialRecord& material) {
+    tint_ = material.base_color;
+    eta_ = entering_ ? material.ior : 1.0f / material.ior;
+    // Equal indices do not refract, however rough the boundary.
+    delta_ = delta_ || !material.albedos;
+    if (delta_) return;
+    albedos_ = Albedos(*material.albedos, material.roughness);
+    lost_ = lost_of(albedos_.at(wo_.z)).x;
+    mean_lost_ = glm::max(lost_of(albedos_.mean()), LEAST_LOSS);
+    const float transmission = material.mean_transmission * (entering_ ? 1.0f : eta_ * eta_);
+    // As much of it as lets both sides send each other the same.
+    below_ = transmission * std::min(mean_lost_.y / mean_lost_.x, 1.0f);
+}
+
+/// Of light from the viewer's side and from the other, by albedos from outside and from inside.
+glm::vec2 Bsdf::lost_of(const glm::vec2& albedos) const {
+    return 1.0f - (entering_ ? albedos : glm::vec2(albedos.y, albedos.x));
 }
 
 bool Bsdf::leaves_curve(const glm::vec3& wi) const {
@@ -102,15 +126,15 @@ Scattering Bsdf::eval(const glm::vec3& wi) const {
 
 Scattering Bsdf::eval_opaque(const glm::vec3& wi) const {
     if (wi.z <= 0.0f) return {};
-    if (specular_pmf_ == 0.0f) return {diffuse_ * (wi.z / PI), wi.z / PI};
-    const glm::vec3 h = glm::normalize(wi + wo_);
-    const glm::vec3 fresnel = f0_ + (1.0f - f0_) * schlick_weight(glm::dot(wo_, h));
+    if (specular_pmf_ == 0.0f) return {body_ * (wi.z / PI), wi.z / PI};
     Scattering s;
     if (specular_pmf_ < 1.0f) {
-        s.value = (1.0f - dielectric_fresnel(glm::dot(wo_, h))) * diffuse_ * (wi.z / PI);
+        s.value = reflected_evenly(wi) * (wi.z / PI);
         s.pdf = (1.0f - specular_pmf_) * wi.z / PI;
     }
     if (!delta_) {
+        const glm::vec3 h = glm::normalize(wi + wo_);
+        const glm::vec3 fresnel = f0_ + (1.0f - f0_) * schlick_weight(glm::dot(wo_, h));
         const float d = ggx_distribution(h, alpha_);
         s.value += fresnel * (d * smith_visibility(wi.z, wo_.z, alpha_) * wi.z);
         s.pdf += specular_pmf_ * smith_g1(wo_.z, alpha_) * d / (4.0f * wo_.z);
@@ -118,10 +142,15 @@ Scattering Bsdf::eval_opaque(const glm::vec3& wi) const {
     return s;
 }
 
+/// By the body and between microfacets; times pi.
+glm::vec3 Bsdf::reflected_evenly(const glm::vec3& wi) const {
+    const glm::vec2 albedos = albedos_.at(wi.z);
+    return (1.0f - coat_albedo(albedos)) * body_ + (1.0f - albedos.x) * between_;
+}
+
 // Walter et al. 2007, equations 20 and 21, sampled by visible normals. The masking is the
 // height-correlated one on both sides, as in pbrt-v4.
-Scattering Bsdf::eval_transparent(const glm::vec3& wi) const {
-    if (delta_) return {};
+Scattering Bsdf::eval_boundary(const glm::vec3& wi) const {
     const bool reflects = wi.z > 0.0f;
     glm::vec3 h = glm::normalize(reflects ? wi + wo_ : wo_ + eta_ * wi);
     if (h.z < 0.0f) h = -h;
@@ -138,7 +167,21 @@ Scattering Bsdf::eval_transparent(const glm::vec3& wi) const {
     const float denominator = o_h + eta_ * i_h;
     const float jacobian = eta_ * eta_ * std::abs(i_h) / (denominator * denominator);
     const float pdf = (1.0f - reflectance) * visible * jacobian;
-    return {diffuse_ * (pdf * shadowing / (eta_ * eta_)), pdf};
+    return {tint_ * (pdf * shadowing / (eta_ * eta_)), pdf};
+}
+
+/// What one microfacet scatters, and what several do: evenly, to both sides, in the spirit of Kulla
+/// and Conty 2017.
+Scattering Bsdf::eval_transparent(const glm::vec3& wi) const {
+    if (delta_) return {};
+    Scattering s = eval_boundary(wi);
+    const float cosine = std::abs(wi.z);
+    const glm::vec2 lost = lost_of(albedos_.at(cosine)) / mean_lost_;
+    const float part = wi.z > 0.0f ? 1.0f - below_ : below_;
+    const float even = lost_ * part * cosine / PI;
+    s.value += wi.z > 0.0f ? glm::vec3(even * lost.x) : tint_ * (even * lost.y / (eta_ * eta_));
+    s.pdf = (1.0f - lost_) * s.pdf + even;
+    return s;
 }
 
 std::optional<ScatteringSample> Bsdf::sample(Random& random) const {
@@ -167,6 +210,10 @@ std::optional<ScatteringSample> Bsdf::smooth_sample(const glm::vec3& wi) const {
 }
 
 std::optional<ScatteringSample> Bsdf::sample_transparent(Random& random) const {
+    if (lost_ > 0.0f && random.next() < lost_) {
+        const glm::vec3 even = sample_cosine_hemisphere(random.next2());
+        return smooth_sample(random.next() < below_ ? -even : even);
+    }
     const glm::vec3 h =
         delta_ ? glm::vec3(0.0f, 0.0f, 1.0f) : sample_visible_normal(wo_, alpha_, random.next2());
     const bool reflects = random.next() < fresnel_dielectric(glm::dot(wo_, h), eta_);
@@ -175,7 +222,7 @@ std::optional<ScatteringSample> Bsdf::sample_transparent(Random& random) const {
     if (!delta_) return smooth_sample(wi);
     const glm::vec3 direction = glm::normalize(frame_.to_world(wi));
     if (!same_side(direction, wi)) return std::nullopt;
-    const glm::vec3 weight = reflects ? glm::vec3(1.0f) : diffuse_ / (eta_ * eta_);
+    const glm::vec3 weight = reflects ? glm::vec3(1.0f) : tint_ / (eta_ * eta_);
     return ScatteringSample{direction, weight, 0.0f, true};
 }
 

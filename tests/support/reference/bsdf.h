@@ -46,23 +46,39 @@ class Bsdf {
 
   private:
     Scattering eval_opaque(const glm::vec3& wi) const;
+    Scattering eval_boundary(const glm::vec3& wi) const;
     Scattering eval_transparent(const glm::vec3& wi) const;
+    glm::vec3 reflected_evenly(const glm::vec3& wi) const;
     glm::vec3 sample_opaque(Random& random, bool specular) const;
     std::optional<ScatteringSample> sample_transparent(Random& random) const;
     std::optional<ScatteringSample> smooth_sample(const glm::vec3& wi) const;
     bool same_side(const glm::vec3& wi, const glm::vec3& wi_local) const;
     void set_opaque(const MaterialRecord& material);
+    void set_transparent(const MaterialRecord& material);
+    glm::vec2 lost_of(const glm::vec2& albedos) const;
 
     glm::vec3 geometric_normal_; ///< on the viewer's side
     Frame frame_;                ///< its z is the shading normal, on the viewer's side
     glm::vec3 wo_;               ///< local
-    glm::vec3 diffuse_{0.0f}, f0_{0.0f};
+    Albedos albedos_;
     float alpha_;
-    float specular_pmf_ = 0.0f; ///< of choosing the specular lobe of an opaque material
-    float eta_ = 1.0f;          ///< index on the other side over index on the viewer's side
     bool delta_;
     bool transparent_;
     bool bulges_;
+
+    // Opaque materials.
+    glm::vec3 f0_{0.0f};
+    glm::vec3 body_{0.0f};      ///< its reflectance; below a coat, times what enters over the mean
+    glm::vec3 between_{0.0f};   ///< microfacets: what comes back of what is lost, over the mean
+    float specular_pmf_ = 0.0f; ///< of choosing the specular lobe
+
+    // Glass.
+    glm::vec3 tint_{1.0f};
+    float eta_ = 1.0f; ///< index on the other side over index on the viewer's side
+    bool entering_ = true;
+    float lost_ = 0.0f;         ///< between microfacets, of light along wo
+    float below_ = 0.0f;        ///< the part of that which leaves to the other side
+    glm::vec2 mean_lost_{1.0f}; ///< of light from the viewer's side and from the other
 };
 
 } // namespace onde::reference

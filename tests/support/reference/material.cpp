@@ -2,13 +2,22 @@
 
 namespace onde::reference {
 
+static const AlbedoTable* albedos_of(const Material& m) {
+    if (m.kind == MaterialKind::diffuse || m.roughness * m.roughness < SMOOTH_ALPHA) return nullptr;
+    if (m.kind != MaterialKind::dielectric) return &reflection_albedos();
+    return std::abs(m.ior - 1.0f) < EQUAL_INDICES ? nullptr : &glass_albedos(m.ior);
+}
+
 MaterialRecord::MaterialRecord(const Material& m)
     : base_color(m.base_color), roughness(m.roughness), emission(m.emission), metallic(m.metallic),
       ior(m.ior), normal_scale(m.normal_scale), kind(m.kind), two_sided(m.two_sided),
       textured(m.base_color_texture != NO_TEXTURE || m.metallic_roughness_texture != NO_TEXTURE),
       base_color_texture(m.base_color_texture),
       metallic_roughness_texture(m.metallic_roughness_texture),
-      emission_texture(m.emission_texture), normal_texture(m.normal_texture) {}
+      emission_texture(m.emission_texture), normal_texture(m.normal_texture),
+      albedos(albedos_of(m)),
+      mean_transmission(m.kind == MaterialKind::dielectric ? mean_transmission_into(m.ior) : 0.0f) {
+}
 
 Appearance::Appearance(const Scene& scene) {
     for (const Material& material : scene.materials) materials_.emplace_back(material);

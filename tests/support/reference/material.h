@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "support/reference/albedo.h"
 #include "support/reference/geometry.h"
 #include "support/reference/texture.h"
 
@@ -9,7 +10,7 @@
 
 namespace onde::reference {
 
-/// What scene.h's Material says, in 72 bytes and without its name.
+/// What scene.h's Material says, in 80 bytes and without its name.
 struct MaterialRecord {
     glm::vec3 base_color;
     float roughness;
@@ -21,6 +22,9 @@ struct MaterialRecord {
     bool two_sided;
     bool textured; ///< base colour or roughness and metallic
     int32_t base_color_texture, metallic_roughness_texture, emission_texture, normal_texture;
+
+    const AlbedoTable* albedos; ///< of its microfacets; null where it is smooth or has none
+    float mean_transmission;    ///< of glass
 
     explicit MaterialRecord(const Material& material);
     bool emits() const { return emission != glm::vec3(0.0f); }

@@ -1,9 +1,12 @@
-// GGX microfacets in the local frame of the shading normal (z), isotropic, alpha >= 1e-3.
+// GGX microfacets in the local frame of the shading normal (z), isotropic, alpha >= SMOOTH_ALPHA.
 #pragma once
 
 #include "support/reference/sampling.h"
 
 namespace onde::reference {
+
+constexpr float SMOOTH_ALPHA = 1e-3f;  ///< what has less is a mirror
+constexpr float EQUAL_INDICES = 1e-4f; ///< relative indices so near to 1 do not refract
 
 /// D (Walter et al. 2007, equation 33), written so that nothing cancels near the normal.
 inline float ggx_distribution(const glm::vec3& h, float alpha) {

@@ -1,0 +1,82 @@
+// Directional albedos from the tables of shared/albedo.h.
+#ifndef ONDE_SHADE_ALBEDO_H
+#define ONDE_SHADE_ALBEDO_H
+
+#include "shade/fresnel.h"
+#include "shade/scene_view.h"
+#include "shared/albedo.h"
+
+// The rows of a table around a roughness.
+typedef struct {
+    natural table; // its first word
+    natural row;
+    real fraction; // of the way to the next row
+    real alpha;
+} AlbedoRow;
+
+INLINE AlbedoRow albedo_row(natural table, real alpha) {
+    const real place = sqrt(alpha) * (float)(ALBEDO_ROWS - 1u);
+    const real whole = min_real(floor(place), (real)((float)(ALBEDO_ROWS - 2u)));
+    AlbedoRow row;
+    row.table = table;
+    row.row = as_natural(to_integer(whole));
+    row.fraction = place - whole;
+    row.alpha = alpha;
+    return row;
+}
+
+INLINE real2 albedo_word(__global const uint* albedos, natural i) {
+    const natural word = gather_natural(albedos, i);
+    return make2(to_real(word & 0xffffu), to_real(word >> 16u));
+}
+INLINE real2 mix2(real2 a, real2 b, real t) {
+    return make2(fma(b.x - a.x, t, a.x), fma(b.y - a.y, t, a.y));
+}
+// Two neighbouring words, at a fraction between them.
+INLINE real2 albedo_between(__global const uint* albedos, natural i, natural step, real fraction) {
+    return mix2(albedo_word(albedos, i), albedo_word(albedos, i + step), fraction);
+}
+
+// The numbers of a direction (cosine >= 0), in [0, 1].
+INLINE real2 albedo_numbers(__global const uint* albedos, AlbedoRow row, real cosine) {
+    const real safe = max_real(cosine, (real)(1e-6f));
+    const real place = ALBEDO_PLACE(safe, row.alpha) * (float)(ALBEDO_COLUMNS - 1u);
+    const real whole = min_real(floor(place), (real)((float)(ALBEDO_COLUMNS - 2u)));
+    const natural first = row.table + row.row * ALBEDO_COLUMNS + as_natural(to_integer(whole));
+    const real2 upper = albedo_between(albedos, first, (natural)(1u), place - whole);
+    const real2 lower =
+        albedo_between(albedos, first + ALBEDO_COLUMNS, (natural)(1u), place - whole);
+    const real2 both = mix2(upper, lower, row.fraction);
+    return make2(both.x * (1.0f / 65535.0f), both.y * (1.0f / 65535.0f));
+}
+// Their means.
+INLINE real2 albedo_means(__global const uint* albedos, AlbedoRow row) {
+    const natural first = row.table + ALBEDO_MEANS + row.row;
+    const real2 both = albedo_between(albedos, first, (natural)(1u), row.fraction);
+    return make2(both.x * (1.0f / 65535.0f), both.y * (1.0f / 65535.0f));
+}
+
+// What microfacets reflect by Schlick's formula: f0 * white + (f90 - f0) * grazing.
+typedef struct {
+    real white, grazing;
+} Albedo;
+
+INLINE Albedo reflection_albedo(__global const uint* albedos, AlbedoRow row, real cosine) {
+    const real2 numbers = albedo_numbers(albedos, row, cosine);
+    Albedo a;
+    a.white = numbers.x;
+    a.grazing = numbers.x * (schlick_weight(cosine) + fma(numbers.y, (real)(2.0f), (real)(-1.0f)));
+    return a;
+}
+INLINE Albedo mean_reflection_albedo(__global const uint* albedos, AlbedoRow row) {
+    const real2 means = albedo_means(albedos, row);
+    Albedo a;
+    a.white = means.x;
+    a.grazing = means.y;
+    return a;
+}
+INLINE real schlick_albedo(Albedo a, real f0, real f90) {
+    return fma(f90 - f0, a.grazing, f0 * a.white);
+}
+
+#endif

@@ -1,0 +1,26 @@
+// Tables of directional albedos: how much of white light from one direction a rough boundary of
+// GGX microfacets scatters at once, the rest of it being lost among them. A table has a row by
+// roughness, and in it a word by the cosine of the direction; behind the rows follows a word by
+// roughness, of means over the hemisphere, weighted by the cosine. Words are two numbers of 16
+// bits, the first one in the lower half.
+#ifndef ONDE_SHARED_ALBEDO_H
+#define ONDE_SHARED_ALBEDO_H
+
+#define ALBEDO_ROWS 32u
+#define ALBEDO_COLUMNS 32u
+#define ALBEDO_MEANS (ALBEDO_ROWS * ALBEDO_COLUMNS)
+#define ALBEDO_TABLE (ALBEDO_MEANS + ALBEDO_ROWS) // words
+#define SHEEN_TABLE ALBEDO_TABLE                  // its first word; that of reflection is at 0
+
+// Albedos of small alpha change where cosines are as small: where a direction lies in its row,
+// from 0 to 1.
+#define ALBEDO_PLACE(cosine, alpha) ((cosine) * (1.0f + (alpha)) / ((cosine) + (alpha)))
+
+// What the numbers of a table are.
+// Reflection, the first table: the albedo of a white surface; and of it the share of Schlick's
+// weight, less that weight of the direction itself, from -1 to 1. As means the albedo, and the part
+// of Schlick's weight.
+// Sheen, the second table: of white fibres; nothing.
+// Glass: from outside; from inside.
+
+#endif

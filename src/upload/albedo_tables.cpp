@@ -1,0 +1,174 @@
+#include "upload/albedo_tables.h"
+
+#include "upload/microfacet_albedo.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace onde {
+namespace {
+
+/// Of row 0; smoother microfacets look the same but at grazing angles that no picture shows.
+constexpr double LEAST_ALPHA = 1e-3;
+constexpr double LEAST_COSINE = 1e-4;
+/// The word of a mirror: kernels that serve other scenes too read tables that no material asked
+/// for, and must not make NaN of them.
+constexpr uint32_t NOTHING_LOST = 0x8000ffff;
+/// Tables of glass take some 10 ms each.
+constexpr size_t MOST_GLASS_TABLES = 64;
+
+/// The cosine of a place in a row: ALBEDO_PLACE the other way.
+double cosine_at(uint32_t column, double alpha) {
+    const double place = double(column) / (ALBEDO_COLUMNS - 1) / (1 + alpha);
+    return std::clamp(place < 1 ? alpha * place / (1 - place) : 1.0, LEAST_COSINE, 1.0);
+}
+
+double schlick_weight(double cosine) {
+    const double m = 1 - cosine;
+    return m * m * (m * m) * m;
+}
+
+double alpha_of(uint32_t row) {
+    const double roughness = double(row) / (ALBEDO_ROWS - 1);
+    return std::max(roughness * roughness, LEAST_ALPHA);
+}
+
+uint32_t half_word(double number) {
+    return uint32_t(std::lround(std::clamp(number, 0.0, 1.0) * 65535));
+}
+uint32_t word_of_two(AlbedoNumbers n) {
+    return half_word(n.first) | half_word(n.second) << 16;
+}
+
+/// A place between two entries of a row of `count`.
+struct Between {
+    uint32_t first;
+    double fraction;
+};
+Between between(double place, uint32_t count) {
+    const double scaled = place * (count - 1);
+    const double whole = std::min(std::floor(scaled), double(count - 2));
+    return {uint32_t(whole), scaled - whole};
+}
+
+AlbedoNumbers mix(std::span<const uint32_t> words, uint32_t i, uint32_t step, double t) {
+    const auto number = [&](uint32_t at, uint32_t shift) {
+        return double(words[at] >> shift & 0xffff) / 65535;
+    };
+    return {std::lerp(number(i, 0), number(i + step, 0), t),
+            std::lerp(number(i, 16), number(i + step, 16), t)};
+}
+
+/// Fills a table by number(cosine, alpha) and mean(numbers, cosine), what is averaged of them.
+template <class Number, class Mean>
+void fill_table(std::span<uint32_t> table, const Number& number, const Mean& mean) {
+    tbb::parallel_for(0u, ALBEDO_ROWS, [&](uint32_t row) {
+        const double alpha = alpha_of(row);
+        for (uint32_t column = 0; column < ALBEDO_COLUMNS; column++)
+            table[row * ALBEDO_COLUMNS + column] =
+                word_of_two(number(cosine_at(column, alpha), alpha));
+        // Of what the kernels will read, so that what is lost and what comes back are the same.
+        constexpr int STEPS = 256;
+        const double own = double(row) / (ALBEDO_ROWS - 1) * (double(row) / (ALBEDO_ROWS - 1));
+        AlbedoNumbers sum{0, 0};
+        for (int i = 0; i < STEPS; i++) {
+            const double cosine = (i + 0.5) / STEPS;
+            const Between at = between(ALBEDO_PLACE(cosine, own), ALBEDO_COLUMNS);
+            const AlbedoNumbers read = mix(table, row * ALBEDO_COLUMNS + at.first, 1, at.fraction);
+            const AlbedoNumbers part = mean(read, cosine);
+            sum.first += 2 * cosine / STEPS * part.first;
+            sum.second += 2 * cosine / STEPS * part.second;
+        }
+        table[ALBEDO_MEANS + row] = word_of_two(sum);
+    });
+}
+
+void fill_reflection(std::span<uint32_t> table) {
+    fill_table(
+        table,
+        [](double cosine, double alpha) {
+            const ReflectionAlbedo a = reflection_albedo(cosine, alpha);
+            return AlbedoNumbers{a.white, 0.5 * (a.grazing / a.white - schlick_weight(cosine) + 1)};
+        },
+        [](AlbedoNumbers n, double cosine) {
+            return AlbedoNumbers{n.first, n.first * (2 * n.second - 1 + schlick_weight(cosine))};
+        });
+}
+
+void fill_sheen(std::span<uint32_t> table) {
+    fill_table(
+        table,
+        [](double cosine, double alpha) {
+            return AlbedoNumbers{sheen_albedo(cosine, alpha), 0};
+        },
+        [](AlbedoNumbers n, double) { return n; });
+}
+
+/// Of what glass loses, the part that is given back: quadrature across the edge of total
+/// reflection is off by some thousandths of it, and no glass should gain light.
+constexpr double GIVEN_BACK = 0.995;
+
+void fill_glass(std::span<uint32_t> table, double ior) {
+    const auto kept = [](double albedo) { return 1 - GIVEN_BACK * (1 - albedo); };
+    fill_table(
+        table,
+        [&](double cosine, double alpha) {
+            const GlassAlbedo a = glass_albedo(cosine, alpha, ior);
+            return AlbedoNumbers{kept(a.outside), kept(a.inside)};
+        },
+        [](AlbedoNumbers n, double) { return n; });
+}
+
+} // namespace
+
+static std::vector<uint32_t> filled(void (*fill)(std::span<uint32_t>)) {
+    std::vector<uint32_t> words(ALBEDO_TABLE);
+    fill(words);
+    return words;
+}
+
+uint32_t AlbedoTables::glass(float ior) {
+    used_ = true;
+    const auto farther = [&](float a, float b) { return std::abs(a - ior) < std::abs(b - ior); };
+    auto nearest = std::ranges::min_element(iors_, farther);
+    if (nearest == iors_.end() || (*nearest != ior && iors_.size() < MOST_GLASS_TABLES)) {
+        iors_.push_back(ior);
+        nearest = iors_.end() - 1;
+    }
+    return uint32_t(2 + (nearest - iors_.begin())) * ALBEDO_TABLE;
+}
+
+std::vector<uint32_t> AlbedoTables::words() && {
+    std::vector<uint32_t> all((2 + iors_.size()) * ALBEDO_TABLE, NOTHING_LOST);
+    if (!used_) return all;
+    const auto table = [&](size_t i) {
+        return std::span(all).subspan(i * ALBEDO_TABLE, ALBEDO_TABLE);
+    };
+    static const std::vector<uint32_t> reflection = filled(fill_reflection);
+    std::ranges::copy(reflection, table(0).begin());
+    if (sheen_) {
+        static const std::vector<uint32_t> sheen = filled(fill_sheen);
+        std::ranges::copy(sheen, table(1).begin());
+    }
+    for (size_t i = 0; i < iors_.size(); i++) fill_glass(table(i + 2), iors_[i]);
+    return all;
+}
+
+AlbedoNumbers albedo_numbers(std::span<const uint32_t> table, double cosine, double alpha) {
+    const Between row = between(std::sqrt(alpha), ALBEDO_ROWS);
+    const Between column = between(ALBEDO_PLACE(std::max(cosine, 1e-6), alpha), ALBEDO_COLUMNS);
+    const uint32_t first = row.first * ALBEDO_COLUMNS + column.first;
+    const AlbedoNumbers upper = mix(table, first, 1, column.fraction);
+    const AlbedoNumbers lower = mix(table, first + ALBEDO_COLUMNS, 1, column.fraction);
+    return {std::lerp(upper.first, lower.first, row.fraction),
+            std::lerp(upper.second, lower.second, row.fraction)};
+}
+
+AlbedoNumbers mean_albedo_numbers(std::span<const uint32_t> table, double alpha) {
+    const Between row = between(std::sqrt(alpha), ALBEDO_ROWS);
+    return mix(table, ALBEDO_MEANS + row.first, 1, row.fraction);
+}
+
+} // namespace onde

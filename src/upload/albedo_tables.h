@@ -1,0 +1,40 @@
+// The tables of directional albedos that a scene's materials need. See kernels/shared/albedo.h for
+// what lies where.
+#pragma once
+
+#include "shared/albedo.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace onde {
+
+/// The tables that a scene's materials need, in one buffer.
+class AlbedoTables {
+  public:
+    /// The first word of the table of glass of an index of refraction, outside over inside. Where
+    /// there are very many indices, that of the nearest.
+    uint32_t glass(float ior);
+    /// The table of reflection first, then that of sheen, then those of glass. Those that nothing
+    /// asks for say that nothing is lost, for kernels that can do more than the scene asks.
+    std::vector<uint32_t> words() &&;
+    /// Asks for the table of reflection.
+    void reflection() { used_ = true; }
+    /// Asks for that of sheen too.
+    void sheen() { used_ = sheen_ = true; }
+
+  private:
+    bool used_ = false, sheen_ = false;
+    std::vector<float> iors_;
+};
+
+/// The same interpolation as the kernels': the two numbers of a direction, or their means, each in
+/// [0, 1], from the table that starts at `table`.
+struct AlbedoNumbers {
+    double first, second;
+};
+AlbedoNumbers albedo_numbers(std::span<const uint32_t> table, double cosine, double alpha);
+AlbedoNumbers mean_albedo_numbers(std::span<const uint32_t> table, double alpha);
+
+} // namespace onde

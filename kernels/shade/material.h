@@ -102,6 +102,12 @@ INLINE MaterialPoint with_transmission(SceneView view, Surface s, MaterialPoint 
     return m;
 }
 
+INLINE mask is_thin(SceneView view, MaterialPoint m) {
+    if (!HAS_LOBE(THIN)) return (mask)(0);
+    return (RECORD_NATURAL(view.materials, m.material, MaterialRecord, lobes) >> LOBE_THIN & 1u) !=
+           0u;
+}
+
 // What lies on top.
 INLINE MaterialPoint with_layers(SceneView view, Surface s, MaterialPoint m) {
     if (HAS_LOBE(COAT)) {
@@ -139,7 +145,10 @@ INLINE MaterialPoint material_point(SceneView view, Surface s, real3 wo) {
     m.alpha = roughness * roughness;
 #if ONDE_ALBEDOS
     m.row = albedo_row((natural)(0u), m.alpha);
-    m.albedo = reflection_albedo(view.albedos, m.row, m.cosine);
+    m.albedo.white = (real)(1.0f);
+    m.albedo.grazing = (real)(0.0f);
+    const mask layered = is_layered(m) | is_thin(view, m);
+    if_any (layered) m.albedo = reflection_albedo(view.albedos, m.row, m.cosine);
 #endif
     m.coat_normal = make3((real)(0.0f), (real)(0.0f), (real)(1.0f));
     m = with_reflectance(view, s, m);

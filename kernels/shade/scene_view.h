@@ -69,6 +69,9 @@
 #ifndef ONDE_ROUGH
     #define ONDE_ROUGH 1
 #endif
+#ifndef ONDE_ROUGH_GLASS
+    #define ONDE_ROUGH_GLASS 1
+#endif
 #ifndef ONDE_ALBEDOS
     #define ONDE_ALBEDOS 1
 #endif

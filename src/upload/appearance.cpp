@@ -116,6 +116,7 @@ MaterialFeatures features_of(const Material& m) {
     constexpr uint32_t MIRRORING_LOBES = bit(LOBE_GLOSSY) | bit(LOBE_DIELECTRIC) | bit(LOBE_THIN);
     features.rough = (may_be_rough && (lobes & MIRRORING_LOBES)) ||
                      (lobes & bit(LOBE_COAT) && is_rough_alpha(m.clearcoat_roughness));
+    features.rough_glass = may_be_rough && solid;
     features.layered = (lobes & LAYERED_LOBES) == LAYERED_LOBES || thin;
     features.index = mixed && m.ior != 1.5f;
     features.specular = mixed && (m.specular != 1 || m.specular_color != glm::vec3(1));
@@ -153,8 +154,7 @@ PackedMaterials pack_materials(const Scene& scene) {
         const MaterialFeatures features = features_of(m);
         if (features.layered) albedos.reflection();
         if (record.lobes & bit(LOBE_SHEEN)) albedos.sheen();
-        if (features.rough && record.lobes & bit(LOBE_DIELECTRIC))
-            record.albedos = albedos.glass(m.ior);
+        if (features.rough_glass) record.albedos = albedos.glass(m.ior);
         record.blocks = m.shadows == GlassShadows::opaque;
         copy(record.absorption, absorption_of(m));
         record.two_sided = m.two_sided;

@@ -14,10 +14,11 @@ uint32_t lobes_of(const Material& material);
 
 /// What a material asks of kernels; see SCENE_FEATURES.
 struct MaterialFeatures {
-    bool rough;    ///< it reflects or refracts by microfacets
-    bool layered;  ///< it scatters below a coat or between microfacets
-    bool index;    ///< its coat's is not 1.5
-    bool specular; ///< it reflects less, or in colour
+    bool rough;       ///< it reflects or refracts by microfacets
+    bool rough_glass; ///< and is solid glass
+    bool layered;     ///< it scatters below a coat or between microfacets
+    bool index;       ///< its coat's is not 1.5
+    bool specular;    ///< it reflects less, or in colour
     bool iridescence;
     bool transmission; ///< its body is clear in part
     bool absorption;

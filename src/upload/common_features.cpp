@@ -26,6 +26,7 @@ SceneFeatures model_features() {
             .culling = true,
             .ground = true,
             .rough = true,
+            .rough_glass = true,
             .albedos = true,
             .indices = true,
             .specular = true,
@@ -76,6 +77,7 @@ std::vector<CommonFeatures> common_features() {
     SceneFeatures everything = large;
     everything.instances = everything.spheres = true;
     everything.kinds = ALL_KINDS;
+    everything.rough_glass = true;
     everything.lobes = ALL_LOBES;
     everything.common_lobes = 0;
     everything.lights = bit(LIGHT_TRIANGLE) | bit(LIGHT_ENVIRONMENT);

@@ -30,10 +30,11 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(bool, nearest_filters, false, NEAREST_FILTERS, either)                                 \
     FEATURE(bool, wide_textures, false, WIDE_TEXTURES, either) /* some have 16-bit samples */      \
     FEATURE(bool, vertex_colors, false, VERTEX_COLORS, data)                                       \
-    FEATURE(bool, alpha, false, ALPHA, either)       /* some surface lets rays pass */             \
-    FEATURE(bool, culling, false, CULLING, either)   /* cameras see through the back of some */    \
-    FEATURE(bool, ground, false, GROUND, either)     /* a plane takes the scene's shadow */        \
-    FEATURE(bool, rough, false, ROUGH, either)       /* some surface has microfacets */            \
+    FEATURE(bool, alpha, false, ALPHA, either)     /* some surface lets rays pass */               \
+    FEATURE(bool, culling, false, CULLING, either) /* cameras see through the back of some */      \
+    FEATURE(bool, ground, false, GROUND, either)   /* a plane takes the scene's shadow */          \
+    FEATURE(bool, rough, false, ROUGH, either)     /* some surface has microfacets */              \
+    FEATURE(bool, rough_glass, false, ROUGH_GLASS, either) /* some solid glass does */             \
     FEATURE(bool, albedos, false, ALBEDOS, either)   /* some scatters below or between them */     \
     FEATURE(bool, indices, false, INDICES, either)   /* of coats other than 1.5 */                 \
     FEATURE(bool, specular, false, SPECULAR, either) /* some coat reflects less, or in colour */   \

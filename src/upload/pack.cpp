@@ -33,6 +33,7 @@ static SceneFeatures material_features(const Scene& scene) {
         features.normal_maps |= normal_map_of(material) != NO_TEXTURE;
         features.kinds |= 1u << uint32_t(material.kind);
         features.rough |= own.rough;
+        features.rough_glass |= own.rough_glass;
         features.albedos |= own.layered;
         features.indices |= own.index;
         features.specular |= own.specular;

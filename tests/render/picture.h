@@ -48,6 +48,7 @@ inline SceneFeatures all_features() {
             .normal_maps = true,
             .environment = true,
             .rough = true,
+            .rough_glass = true,
             .albedos = true,
             .indices = true,
             .specular = true,

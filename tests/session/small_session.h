@@ -74,6 +74,7 @@ inline SessionOptions small_session(IntegratorKind integrator = IntegratorKind::
                                      .normal_maps = true,
                                      .environment = true,
                                      .rough = true,
+                                     .rough_glass = true,
                                      .albedos = true,
                                      .indices = true,
                                      .specular = true,

@@ -15,7 +15,7 @@ typedef struct {
 #if ONDE_TRANSMISSION
     real share; // of the surface that is clear
 #endif
-#if ONDE_ROUGH
+#if ONDE_ROUGH_GLASS
     AlbedoRow row;
     mask front;      // whether the directions above lie outside
     real lost;       // between microfacets, of light along wo
@@ -28,7 +28,7 @@ typedef struct {
 // However rough, a boundary of equal indices turns no light around.
 #define EQUAL_INDICES 1e-4f
 
-#if ONDE_ROUGH
+#if ONDE_ROUGH_GLASS
 // What is lost of light from above and from below.
 INLINE real2 dielectric_lost(DielectricLobe lobe, real2 albedos) {
     const real outside = 1.0f - albedos.x, inside = 1.0f - albedos.y;
@@ -62,7 +62,7 @@ INLINE DielectricLobe dielectric_load(SceneView view, MaterialPoint m) {
 #if ONDE_TRANSMISSION
     lobe.share = clear_share(m);
 #endif
-#if ONDE_ROUGH
+#if ONDE_ROUGH_GLASS
     lobe = dielectric_losses(view, m, lobe);
 #endif
     return lobe;
@@ -115,7 +115,7 @@ INLINE mask dielectric_is_smooth(DielectricLobe lobe) {
     return lobe.alpha < SMOOTH_ALPHA;
 }
 
-#if ONDE_ROUGH
+#if ONDE_ROUGH_GLASS
 // Adds what has met several microfacets.
 INLINE LobeValue dielectric_regained(DielectricLobe lobe, real3 wi, LobeValue v, mask below) {
     const real cosine = fabs(wi.z);
@@ -132,7 +132,7 @@ INLINE LobeValue dielectric_regained(DielectricLobe lobe, real3 wi, LobeValue v,
 
 INLINE LobeValue dielectric_eval(DielectricLobe lobe, real3 wo, real3 wi, mask lanes) {
     LobeValue v = no_lobe_value();
-#if ONDE_ROUGH
+#if ONDE_ROUGH_GLASS
     const mask rough = lanes & (lobe.alpha >= SMOOTH_ALPHA);
     if (!mask_bits(rough)) return v;
     const Boundary b = boundary_between(lobe, wo, wi);
@@ -162,7 +162,7 @@ INLINE LobeSample dielectric_sample(DielectricLobe lobe, real3 wo, real choice, 
     LobeSample s;
     s.delta = lobe.alpha < SMOOTH_ALPHA;
     real3 h = make3((real)(0.0f), (real)(0.0f), (real)(1.0f));
-#if ONDE_ROUGH
+#if ONDE_ROUGH_GLASS
     const mask even = choice < lobe.lost;
     const mask falls = choice < lobe.lost * lobe.below;
     choice = (choice - lobe.lost) / max_real(1.0f - lobe.lost, (real)(1e-6f));
@@ -175,7 +175,7 @@ INLINE LobeSample dielectric_sample(DielectricLobe lobe, real3 wo, real choice, 
     const real3 tint = scale3(lobe.tint, 1.0f / (lobe.eta * lobe.eta));
     s.weight = scale3(choose(refracted, tint, splat3((real)(1.0f))), dielectric_share(lobe));
     s.valid = choose(refracted, -s.wi.z, s.wi.z) > 0.0f;
-#if ONDE_ROUGH
+#if ONDE_ROUGH_GLASS
     if_any (even) {
         const real3 up = sample_cosine_hemisphere(u);
         const real3 wi = choose(falls, negate3(up), up);

@@ -20,6 +20,7 @@ typedef struct {
     AlbedoRow row;
     real coat; // reflectance of the coat at normal incidence
     real f90;  // and at grazing; 0 where there is none
+    mask layered;
     __global const uint* albedos;
 #endif
     real weight;
@@ -78,7 +79,10 @@ INLINE DiffuseLobe diffuse_load(SceneView view, MaterialPoint m) {
     lobe.color = lobe.albedo = m.color;
     lobe.weight = luminance3(m.color);
 #if ONDE_ALBEDOS
-    lobe = diffuse_layered(view, m, lobe, !is_of_kind(m, MATERIAL_DIFFUSE));
+    lobe.layered = is_layered(m);
+    lobe.coat = lobe.f90 = (real)(0.0f);
+    lobe.between = zero3();
+    if_any (lobe.layered) lobe = diffuse_layered(view, m, lobe, lobe.layered);
 #endif
     return lobe;
 }
@@ -94,8 +98,11 @@ INLINE real3 diffuse_body(DiffuseLobe lobe, real3 wi, mask lanes) {
     const mask above = lanes & (wi.z > 0.0f);
     real3 albedo = lobe.albedo;
 #if ONDE_ALBEDOS
-    const Albedo a = reflection_albedo(lobe.albedos, lobe.row, max_real(wi.z, (real)(0.0f)));
-    albedo = scale3(albedo, coat_lets_through(a, lobe.coat, lobe.f90));
+    if_any (above & lobe.layered) {
+        const Albedo a = reflection_albedo(lobe.albedos, lobe.row, max_real(wi.z, (real)(0.0f)));
+        const real through = coat_lets_through(a, lobe.coat, lobe.f90);
+        albedo = choose(lobe.layered, scale3(albedo, through), albedo);
+    }
 #endif
     return scale3(albedo, choose(above, wi.z, (real)(0.0f)) * INV_PI);
 }
@@ -105,9 +112,11 @@ INLINE LobeValue diffuse_eval(DiffuseLobe lobe, real3 wo, real3 wi, mask lanes) 
     const real cosine = choose(above, wi.z, (real)(0.0f));
     real3 albedo = lobe.albedo;
 #if ONDE_ALBEDOS
-    const Albedo a = reflection_albedo(lobe.albedos, lobe.row, cosine);
-    albedo = madd3(lobe.between, 1.0f - a.white,
-                   scale3(albedo, coat_lets_through(a, lobe.coat, lobe.f90)));
+    if_any (above & lobe.layered) {
+        const Albedo a = reflection_albedo(lobe.albedos, lobe.row, cosine);
+        const real3 body = scale3(albedo, coat_lets_through(a, lobe.coat, lobe.f90));
+        albedo = choose(lobe.layered, madd3(lobe.between, 1.0f - a.white, body), albedo);
+    }
 #endif
     LobeValue v;
     v.tint = splat3(choose(above, (real)(1.0f), (real)(0.0f)));

@@ -52,6 +52,11 @@ INLINE mask is_of_kind(MaterialPoint m, uint kind) {
     return ONDE_KINDS >> kind & 1u ? m.kind == kind : m.kind != m.kind;
 }
 
+// Whether light is scattered below a coat or between microfacets.
+INLINE mask is_layered(MaterialPoint m) {
+    return is_of_kind(m, MATERIAL_METALLIC_ROUGHNESS) | is_of_kind(m, MATERIAL_CONDUCTOR);
+}
+
 // The share of a surface that has a clear body.
 INLINE real clear_share(MaterialPoint m) {
 #if ONDE_TRANSMISSION

@@ -34,8 +34,8 @@ Sums sums_of(const fs::path& picture) {
         for (uint32_t x = 0; x < image.width; x++) {
             const float* pixel = &image.pixels[3 * (size_t(y) * image.width + x)];
             sums.alpha += pixel[0];
-            sums.x += x * pixel[0];
-            sums.y += y * pixel[0];
+            sums.x += float(x) * pixel[0];
+            sums.y += float(y) * pixel[0];
             sums.right += pixel[1]; // of what lies before a background that stands still
             sums.up += pixel[2];
         }

@@ -301,10 +301,19 @@ Worker::Step Worker::finish(const std::vector<StoreKey>& keys) {
     if (!lease) return Step::waiting;
     std::vector<fs::path> files;
     for (const StoreKey& key : keys) files.push_back(store_.path(key));
-    FilmMerge merge = merge_of(files);
-    check_same(merge.header(), plan_.header, files.front().string());
-    if (!merge.missing().empty()) return Step::worked; // another worker is joining them
-    merge.write(store_.film());
+    try {
+        FilmMerge merge = merge_of(files);
+        check_same(merge.header(), plan_.header, files.front().string());
+        if (!merge.missing().empty()) return Step::worked; // another worker is joining them
+        merge.write(store_.film());
+    } catch (const InputError&) {
+        const auto is_there = [](const fs::path& file) {
+            std::error_code ignored;
+            return fs::exists(file, ignored);
+        };
+        if (std::ranges::all_of(files, is_there)) throw;
+        return Step::worked; // another worker has joined them meanwhile
+    }
     for (const StoreKey& key : keys) store_.remove(key);
     return Step::worked;
 }

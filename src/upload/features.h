@@ -47,7 +47,7 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(uint32_t, common_lobes, 0, COMMON_LOBES, shared) /* and of all */                      \
     FEATURE(uint32_t, kinds, 0, KINDS, either)               /* bits by MATERIAL_... */            \
     FEATURE(uint32_t, lights, 0, LIGHTS, either)             /* bits by LIGHT_... */               \
-    FEATURE(bool, motion, false, MOTION, data)     /* the next frame is known */                   \
+    FEATURE(bool, motion, false, MOTION, data)               /* the next frame is known */         \
     FEATURE(bool, light_tree, false, LIGHT_TREE, data)                                             \
     FEATURE(uint32_t, stack_size, 1, STACK_SIZE, larger)                                           \
     FEATURE(bool, watertight, false, WATERTIGHT, data)

@@ -36,7 +36,7 @@ struct PackedScene : SceneArrays, MotionArrays {
     uint32_t environment_group = 0;        ///< of light_groups()
     float environment_rotation = 0.0f;     ///< radians
     float environment_floor = 0, environment_scale[MAP_TABLES] = {1, 1}; ///< of PackedEnvironment
-    std::vector<Camera> next_cameras{};    ///< at the next frame, where the scene has one
+    std::vector<Camera> next_cameras{}; ///< at the next frame, where the scene has one
     float next_environment_rotation = 0.0f;
     std::optional<Extent> bounds{}; ///< of the geometry, where a camera has parallel rays
     glm::vec3 ground_share{0.0f};   ///< one over the irradiance that the ground receives

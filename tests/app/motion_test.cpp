@@ -148,7 +148,7 @@ TEST_CASE("the camera of a turntable gives what stands still a motion, and studi
     float largest = 0;
     for (size_t i = 0; i < image.pixels.size(); i += 3)
         if (image.pixels[i] == 1) largest = std::max(largest, std::abs(image.pixels[i + 1]));
-    CHECK(largest > 0.1f);
+    CHECK(largest > 0.05f); // of a post of a tenth of its height, turned by 10 degrees
     CHECK(content(folder / "t.0001.exr") != content(folder / "t.0002.exr"));
 }
 

@@ -28,7 +28,9 @@ SessionOptions session_options(const CheckContext& context, const RenderOptions&
     SessionOptions options{.render = render};
     options.bvh.layout = layout.value_or(known_layout(context.facts()));
     options.choose_layout = false;
-    options.features = pack_scene(built_in_scene(), options.bvh).features;
+    SceneFeatures features = pack_scene(built_in_scene(), options.bvh).features;
+    features.rough_glass = true; // furnaces have some
+    options.features = features;
     return options;
 }
 

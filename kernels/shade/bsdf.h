@@ -77,38 +77,24 @@ typedef struct {
 #endif
 } BsdfSample;
 
-// The weights of the lobes that are there, and their number, from one of LOBES on.
+// The weights of some lobes, and their number.
 typedef struct {
     real weight, count;
 } LobeSum;
 
-INLINE LobeSum lobes_from(uint first, LobeMasks there, LobeNumbers weight) {
-    LobeSum sum;
-    sum.weight = sum.count = (real)(0.0f);
-#define ADD_LOBE(NAME, name, Type, transmits)                                                      \
-    if (HAS_LOBE(NAME) && LOBE_##NAME >= first) {                                                  \
-        sum.weight += choose(there.name, weight.name, (real)(0.0f));                               \
-        sum.count += choose(there.name, (real)(1.0f), (real)(0.0f));                               \
-    }
-    LOBES(ADD_LOBE)
-#undef ADD_LOBE
+INLINE LobeSum with_lobe(LobeSum sum, mask there, real weight) {
+    sum.weight += choose(there, weight, (real)(0.0f));
+    sum.count += choose(there, (real)(1.0f), (real)(0.0f));
     return sum;
 }
 
-// The probability of choosing a lobe from `first` on, by what the lobes reflect.
-INLINE real lobe_reach(uint first, LobeSum all, LobeMasks there, LobeNumbers weight) {
-    const LobeSum from = lobes_from(first, there, weight);
-    const real before = all.count - from.count;
-    const real low = LEAST_LOBE_PROBABILITY * from.count;
-    const real high = 1.0f - LEAST_LOBE_PROBABILITY * before;
-    const real share = from.weight / max_real(all.weight, (real)(1e-6f));
-    return choose(before > 0.0f, min_real(max_real(share, low), high), (real)(1.0f));
-}
-
-// The same where no more than one lobe is there.
-INLINE real only_lobe_reach(uint first, LobeSum all, LobeMasks there, LobeNumbers weight) {
-    const LobeSum from = lobes_from(first, there, weight);
-    return choose(all.count - from.count > 0.0f, (real)(0.0f), (real)(1.0f));
+// The probability of choosing a lobe behind those `before`, by what the lobes reflect. scale: one
+// over the weight of all.
+INLINE real lobe_reach(LobeSum all, LobeSum before, real scale) {
+    const real low = LEAST_LOBE_PROBABILITY * (all.count - before.count);
+    const real high = 1.0f - LEAST_LOBE_PROBABILITY * before.count;
+    const real share = (all.weight - before.weight) * scale;
+    return choose(before.count > 0.0f, min_real(max_real(share, low), high), (real)(1.0f));
 }
 
 INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m) {
@@ -131,21 +117,22 @@ INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m) {
         LOBES(DIM_LOBE)
 #undef DIM_LOBE
     }
-    const LobeSum all = lobes_from(0, there, weight);
+    LobeSum all, before;
+    all.weight = all.count = before.weight = before.count = (real)(0.0f);
+#define ADD_LOBE(NAME, name, Type, transmits)                                                      \
+    if (HAS_LOBE(NAME)) all = with_lobe(all, there.name, weight.name);
+    LOBES(ADD_LOBE)
+#undef ADD_LOBE
+    const real scale = 1.0f / max_real(all.weight, (real)(1e-6f));
+    real reach = (real)(1.0f);
 #define CHOOSE_LOBE(NAME, name, Type, transmits)                                                   \
     if (HAS_LOBE(NAME)) {                                                                          \
-        b.reach.name = REACH(LOBE_##NAME, all, there, weight);                                     \
-        b.probability.name = b.reach.name - REACH(LOBE_##NAME + 1, all, there, weight);            \
+        b.reach.name = reach;                                                                      \
+        before = with_lobe(before, there.name, weight.name);                                       \
+        reach = lobe_reach(all, before, scale);                                                    \
+        b.probability.name = b.reach.name - reach;                                                 \
     }
-    if_any (all.count > 1.0f) {
-#define REACH lobe_reach
-        LOBES(CHOOSE_LOBE)
-#undef REACH
-    } else {
-#define REACH only_lobe_reach
-        LOBES(CHOOSE_LOBE)
-#undef REACH
-    }
+    LOBES(CHOOSE_LOBE)
 #undef CHOOSE_LOBE
     return b;
 }

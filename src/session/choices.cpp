@@ -161,6 +161,12 @@ ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene
     return resolved;
 }
 
+void check_light_groups(const Scene& scene, const RenderOptions& options) {
+    if (!options.light_groups.empty() && options.light_groups != light_groups(scene))
+        throw InputError("the film has the light of other groups than the scene has; ask for those "
+                         "of the scene");
+}
+
 Display display_of(const RenderSettings& scene, IntegratorKind integrator) {
     const bool is_light = integrator == IntegratorKind::path || integrator == IntegratorKind::light;
     return {.exposure = scene.exposure.value_or(0.0f),

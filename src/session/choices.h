@@ -41,6 +41,9 @@ struct ResolvedOptions {
 ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene,
                                 const gpu::DeviceFacts& facts);
 
+/// Throws InputError unless films with these options have planes for the scene's groups of lights.
+void check_light_groups(const Scene& scene, const RenderOptions& options);
+
 /// How pictures of the scene are shown where the user asks for nothing else: as it says, else
 /// without exposure, and by the neutral tone map; the chapter's integrators compute what a display
 /// is to show.

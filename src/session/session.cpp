@@ -9,6 +9,7 @@
 #include "scene/load.h"
 #include "scene/mapping.h"
 #include "session/choices.h"
+#include "session/findings.h"
 #include "session/integrators.h"
 #include "upload/layout_choice.h"
 
@@ -19,36 +20,6 @@
 #include <utility>
 
 namespace onde {
-namespace {
-
-/// Whether two materials make the same lights and tangents of the surfaces that have them.
-bool same_geometry(const Material& a, const Material& b) {
-    return a.emission == b.emission && a.emission_texture == b.emission_texture &&
-           a.two_sided == b.two_sided && normal_map_of(a) == normal_map_of(b) && a.group == b.group;
-}
-
-/// Planes are for the groups that the scene has.
-void check_light_groups(const Scene& scene, const RenderOptions& options) {
-    if (!options.light_groups.empty() && options.light_groups != light_groups(scene))
-        throw InputError("the film has the light of other groups than the scene has; ask for those "
-                         "of the scene");
-}
-
-/// Whether a film of the one is a beginning of a film of the other.
-bool same_but_for_length(RenderOptions a, const RenderOptions& b) {
-    a.samples = b.samples;
-    a.seconds = b.seconds;
-    a.picture_samples = b.picture_samples;
-    return a == b;
-}
-
-template <class T>
-T& find(std::vector<T>& things, size_t index, const char* kind) {
-    if (index < things.size()) return things[index];
-    throw InputError("there is no {} {}; the scene has {}", kind, index, things.size());
-}
-
-} // namespace
 
 Session::Session(gpu::Programs& programs, Scene scene, SessionOptions options)
     : programs_(programs), scene_(std::move(scene)), options_(std::move(options)) {
@@ -265,28 +236,12 @@ std::optional<NoiseReport> Session::noise() {
     return noise_report(film(), options_.render);
 }
 
-static std::string words_of(const NoiseReport& report, float target) {
-    const std::string samples =
-        report.fewest == report.most
-            ? fmt::format("{:g} samples of every pixel", report.most)
-            : fmt::format("{:g} to {:g} samples of a pixel", report.fewest, report.most);
-    if (report.is_met)
-        return fmt::format("{}: no more than {:g} % of the pixels are off by more than {:g}",
-                           samples, 100 * NOISY_SHARE, target);
-    if (report.most < FILM_BLOCK)
-        return fmt::format("{}: of fewer than {} it is not known how noisy they are", samples,
-                           FILM_BLOCK);
-    return fmt::format("{}: some pixels need more; about {:.2g} % are off by more than {:g}",
-                       samples, 100 * report.share, target);
-}
-
 std::vector<std::string> Session::findings() {
     prepare();
     std::vector<std::string> all = integrator_->findings();
     if (options_.render.clamp > 0)
-        all.push_back(fmt::format("the clamp at {:g} has cut off {:.3g} % of the light",
-                                  options_.render.clamp, 100 * clamped_share()));
-    if (const auto report = noise()) all.push_back(words_of(*report, options_.render.noise));
+        all.push_back(clamp_sentence(options_.render.clamp, clamped_share()));
+    if (const auto report = noise()) all.push_back(noise_sentence(*report, options_.render.noise));
     return all;
 }
 
@@ -304,92 +259,6 @@ SampleReport Session::inspect(const PixelSample& at) {
 
 TraversalCost Session::traversal_cost() {
     return measure_traversal_cost(context());
-}
-
-void Session::set_options(const RenderOptions& options) {
-    check_options(options);
-    check_light_groups(scene_, options);
-    if (options.camera >= scene_.cameras.size())
-        throw InputError("there is no camera {}; the scene has {}", options.camera,
-                         scene_.cameras.size());
-    check_screen(scene_.cameras[options.camera], options.width, options.height);
-    const RenderOptions before = std::exchange(options_.render, options);
-    const bool same_film = same_but_for_length(before, options);
-    try {
-        complete_next_frame();
-        if (!same_film) fit_waves(packed());
-        if (options.width != before.width || options.integrator != before.integrator)
-            denoiser_ = make_denoiser();
-    } catch (...) {
-        options_.render = before;
-        throw;
-    }
-    if (same_film) return;
-    integrator_.reset();
-    if (options.integrator != before.integrator) note_mapping();
-}
-
-void Session::set_camera(const Camera& value) {
-    check_camera(value, options_.render.camera);
-    check_screen(value, options_.render.width, options_.render.height);
-    scene_.cameras[options_.render.camera] = value;
-    if (scene_.next) scene_.next->cameras[options_.render.camera] = value;
-    placed_->set_next_view(scene_);
-    if (value.orthographic_height && !placed_->packed().bounds) placed_->set_bounds(scene_);
-    if (integrator_ && !integrator_->set_camera(value)) integrator_.reset();
-}
-
-void Session::set_environment_rotation(float radians) {
-    if (!std::isfinite(radians)) throw InputError("the environment's rotation must be finite");
-    scene_.environment.rotation = radians;
-    placed_->set_environment_rotation(radians);
-    if (scene_.next) scene_.next->environment_rotation = radians;
-    placed_->set_next_view(scene_);
-    if (integrator_ && !integrator_->set_camera(camera())) integrator_.reset();
-}
-
-void Session::set_next_view(const Camera& value, float environment_rotation) {
-    check_camera(value, options_.render.camera);
-    if (!std::isfinite(environment_rotation))
-        throw InputError("the environment's rotation must be finite");
-    if (!scene_.next) return;
-    scene_.next->cameras[options_.render.camera] = value;
-    scene_.next->environment_rotation = environment_rotation;
-    placed_->set_next_view(scene_);
-    if (integrator_ && !integrator_->set_camera(camera())) integrator_.reset();
-}
-
-void Session::set_material(size_t index, const Material& value) {
-    Material& material = find(scene_.materials, index, "material");
-    const Material before = std::exchange(material, value);
-    try {
-        check_material(scene_, index);
-        check_light_groups(scene_, options_.render);
-    } catch (...) {
-        material = before;
-        throw;
-    }
-    changed(same_geometry(before, value) ? SceneChange::materials : SceneChange::lights);
-}
-
-void Session::set_instance_transform(size_t index, const glm::mat4& object_to_world) {
-    Instance& instance = find(scene_.instances, index, "instance");
-    check_transform(object_to_world, "instance", index);
-    instance.object_to_world = object_to_world;
-    if (scene_.next) scene_.next->instances[index] = {object_to_world};
-    changed(SceneChange::transforms);
-}
-
-void Session::set_shape_transform(size_t index, const glm::mat4& object_to_world) {
-    Shape& shape = find(scene_.shapes, index, "shape");
-    check_transform(object_to_world, "shape", index);
-    shape.object_to_world = object_to_world;
-    changed(SceneChange::transforms);
-}
-
-void Session::changed(SceneChange change) {
-    change_ = std::max(change_, change);
-    integrator_.reset();
 }
 
 } // namespace onde

@@ -15,31 +15,21 @@ constexpr uint32_t GLTF_LOBES = bit(LOBE_DIFFUSE) | bit(LOBE_GLOSSY);
 } // namespace
 
 SceneFeatures model_features() {
-    return {.instances = true,
-            .curved = true,
-            .textures = true,
-            .normal_maps = true,
-            .environment = true,
-            .texture_transforms = true,
-            .nearest_filters = true,
-            .alpha = true,
-            .culling = true,
-            .ground = true,
-            .rough = true,
-            .rough_glass = true,
-            .albedos = true,
-            .indices = true,
-            .specular = true,
-            .iridescence = true,
-            .transmission = true,
-            .absorption = true,
-            .panes = true,
-            .unbent = true,
-            .lobes = ALL_LOBES,
-            .kinds = ROOM_KINDS | bit(MATERIAL_METALLIC_ROUGHNESS) | bit(MATERIAL_UNLIT),
-            .lights = bit(LIGHT_TRIANGLE) | bit(LIGHT_POINT) | bit(LIGHT_SPOT) |
-                      bit(LIGHT_DIRECTIONAL) | bit(LIGHT_ENVIRONMENT),
-            .stack_size = 96};
+    return with_all_materials(
+        {.instances = true,
+         .curved = true,
+         .textures = true,
+         .normal_maps = true,
+         .environment = true,
+         .texture_transforms = true,
+         .nearest_filters = true,
+         .alpha = true,
+         .culling = true,
+         .ground = true,
+         .kinds = ROOM_KINDS | bit(MATERIAL_METALLIC_ROUGHNESS) | bit(MATERIAL_UNLIT),
+         .lights = bit(LIGHT_TRIANGLE) | bit(LIGHT_POINT) | bit(LIGHT_SPOT) |
+                   bit(LIGHT_DIRECTIONAL) | bit(LIGHT_ENVIRONMENT),
+         .stack_size = 96});
 }
 
 std::vector<CommonFeatures> common_features() {
@@ -74,12 +64,9 @@ std::vector<CommonFeatures> common_features() {
                                  .stack_size = 64};
     SceneFeatures large = textured;
     large.stack_size = 96; // of some ten thousand triangles
-    SceneFeatures everything = large;
+    SceneFeatures everything = with_all_materials(large);
     everything.instances = everything.spheres = true;
     everything.kinds = ALL_KINDS;
-    everything.rough_glass = true;
-    everything.lobes = ALL_LOBES;
-    everything.common_lobes = 0;
     everything.lights = bit(LIGHT_TRIANGLE) | bit(LIGHT_ENVIRONMENT);
     return {{"a closed room with spheres", room},
             {"analytic shapes", shapes},

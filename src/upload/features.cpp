@@ -4,6 +4,15 @@
 
 namespace onde {
 
+SceneFeatures with_all_materials(SceneFeatures features) {
+    features.rough = features.rough_glass = features.albedos = true;
+    features.indices = features.specular = features.iridescence = true;
+    features.transmission = features.absorption = features.panes = features.unbent = true;
+    features.lobes = ALL_LOBES;
+    features.common_lobes = 0;
+    return features;
+}
+
 SceneFeatures joined(SceneFeatures own, const SceneFeatures& more) {
     const auto either = [](auto a, auto b) { return decltype(a)(a | b); };
     const auto shared = [](auto a, auto b) { return decltype(a)(a & b); };

@@ -63,6 +63,9 @@ struct SceneFeatures {
     std::vector<std::string> defines() const;
 };
 
+/// The same, and all that materials may ask for, but for kinds.
+SceneFeatures with_all_materials(SceneFeatures features);
+
 /// What covers a scene that has `own`, and others that have `more`, as far as one program can.
 SceneFeatures joined(SceneFeatures own, const SceneFeatures& more);
 

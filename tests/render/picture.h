@@ -5,6 +5,7 @@
 #include "scene/load.h"
 #include "session/integrators.h"
 #include "session/session.h"
+#include "support/all_features.h"
 #include "support/assets.h"
 #include "support/probe.h"
 
@@ -35,32 +36,6 @@ inline RenderOptions small_options(uint32_t width, uint32_t height, uint32_t sam
     options.filter = Filter::box;
     options.settings = gpu::default_settings(device().facts());
     return options;
-}
-
-/// Kernels that can do everything but what scenes seldom need, so that all scenes of a test share
-/// one compiled program.
-inline SceneFeatures all_features() {
-    return {.instances = true,
-            .spheres = true,
-            .shapes = true,
-            .curved = true,
-            .textures = true,
-            .normal_maps = true,
-            .environment = true,
-            .rough = true,
-            .rough_glass = true,
-            .albedos = true,
-            .indices = true,
-            .specular = true,
-            .iridescence = true,
-            .transmission = true,
-            .absorption = true,
-            .panes = true,
-            .unbent = true,
-            .lobes = ALL_LOBES,
-            .kinds = ALL_KINDS,
-            .lights = ALL_LIGHTS,
-            .stack_size = 192};
 }
 
 inline Picture take_picture(Integrator& integrator, const RenderOptions& options) {

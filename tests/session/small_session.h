@@ -4,6 +4,7 @@
 #include "scene/load.h"
 #include "scene/shapes.h"
 #include "session/session.h"
+#include "support/all_features.h"
 #include "support/programs.h"
 
 #include <catch2/catch.hpp>
@@ -66,27 +67,7 @@ inline SessionOptions small_session(IntegratorKind integrator = IntegratorKind::
     options.render.depth = 4;
     options.render.integrator = integrator;
     options.render.settings = gpu::default_settings(device().facts());
-    options.features = SceneFeatures{.instances = true,
-                                     .spheres = true,
-                                     .shapes = true,
-                                     .curved = true,
-                                     .textures = true,
-                                     .normal_maps = true,
-                                     .environment = true,
-                                     .rough = true,
-                                     .rough_glass = true,
-                                     .albedos = true,
-                                     .indices = true,
-                                     .specular = true,
-                                     .iridescence = true,
-                                     .transmission = true,
-                                     .absorption = true,
-                                     .panes = true,
-                                     .unbent = true,
-                                     .lobes = ALL_LOBES,
-                                     .kinds = ALL_KINDS,
-                                     .lights = ALL_LIGHTS,
-                                     .stack_size = 192};
+    options.features = all_features();
     return options;
 }
 

@@ -125,12 +125,7 @@ INLINE LobeValue diffuse_eval(DiffuseLobe lobe, real3 wo, real3 wi, mask lanes) 
     return v;
 }
 INLINE LobeSample diffuse_sample(DiffuseLobe lobe, real3 wo, real choice, real2 u) {
-    LobeSample s;
-    s.wi = sample_cosine_hemisphere(u);
-    s.valid = s.wi.z > 0.0f;
-    s.delta = s.valid & !s.valid;
-    s.weight = zero3();
-    return s;
+    return cosine_lobe_sample(u);
 }
 
 #endif

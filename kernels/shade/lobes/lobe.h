@@ -107,4 +107,14 @@ INLINE LobeValue no_lobe_value(void) {
     return v;
 }
 
+// A direction that is as likely as its cosine.
+INLINE LobeSample cosine_lobe_sample(real2 u) {
+    LobeSample s;
+    s.wi = sample_cosine_hemisphere(u);
+    s.valid = s.wi.z > 0.0f;
+    s.delta = s.valid & !s.valid;
+    s.weight = zero3();
+    return s;
+}
+
 #endif

@@ -52,12 +52,7 @@ INLINE LobeValue sheen_eval(SheenLobe lobe, real3 wo, real3 wi, mask lanes) {
     return v;
 }
 INLINE LobeSample sheen_sample(SheenLobe lobe, real3 wo, real choice, real2 u) {
-    LobeSample s;
-    s.wi = sample_cosine_hemisphere(u);
-    s.valid = s.wi.z > 0.0f;
-    s.delta = s.valid & !s.valid;
-    s.weight = zero3();
-    return s;
+    return cosine_lobe_sample(u);
 }
 
 #endif

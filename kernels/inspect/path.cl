@@ -17,7 +17,7 @@ INLINE void report_bsdf(__global BounceReport* report, Bsdf b) {
     const uint glossy = lobes >> LOBE_GLOSSY & 1u, dielectric = lobes >> LOBE_DIELECTRIC & 1u;
     report3(report->diffuse, lobes >> LOBE_DIFFUSE & 1u ? b.diffuse.color : zero3());
     report3(report->f0, glossy ? b.glossy.f0 : zero3());
-    report->alpha = glossy ? b.glossy.alpha : dielectric ? b.dielectric.alpha : 0.0f;
+    report->alpha = glossy ? WIDEST_ALPHA(b.glossy.alpha) : dielectric ? b.dielectric.alpha : 0.0f;
     report->eta = bsdf_eta(b);
 }
 
@@ -31,7 +31,7 @@ INLINE void explain_bounce(SceneView view, Path path, Hits hit, Sampler sampler,
     report->light = NO_INDEX;
     report->light_pdf = 0.0f;
     if (!found) return;
-    const Basis basis = make_basis(s.normal);
+    const Basis basis = surface_basis(s);
     real3 wo = to_local(basis, negate3(path.direction));
     wo.z = max_real(wo.z, (real)(1e-4f));
     const Bsdf b = material_bsdf(view, s, basis, wo);

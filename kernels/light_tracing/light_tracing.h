@@ -34,7 +34,14 @@ INLINE uint passing_dimension(uint bounce) {
     return 0x40000000u + bounce;
 }
 
-COLUMNS_TYPE(LightPath, LIGHT_PATH_COLUMNS);
+#if ONDE_DISPERSION
+    #define LIGHT_WAVE WAVE_COLUMNS
+#else
+    #define LIGHT_WAVE NO_COLUMNS
+#endif
+#define LIGHT_STATE(VECTOR, REAL, NATURAL)                                                         \
+    LIGHT_PATH_COLUMNS(VECTOR, REAL, NATURAL) LIGHT_WAVE(VECTOR, REAL, NATURAL)
+COLUMNS_TYPE(LightPath, LIGHT_STATE);
 
 typedef struct {
     Connection connection;
@@ -104,6 +111,9 @@ OUTLINED LightVertex light_start(SceneView view, __global const LightTracingReco
     result.next.direction = e.direction;
     result.next.emitted = e.power;
     result.next.throughput = splat3((real)(1.0f));
+#if ONDE_DISPERSION
+    result.next.dispersed = (natural)(0u);
+#endif
     result.alive = lanes & nonzero3(e.power);
     if (view.frame->max_depth < 2) result.alive = lanes & !lanes;
     return result;
@@ -124,7 +134,10 @@ INLINE Connection connect_surface(SceneView view, LightPath path, Vertex v, Samp
     const real2 lens = sampler_pair(sampler, vertex_dimension(vertex, VERTEX_DIMENSION_LENS));
     const CameraLink link = camera_link(view.frame, v.surface.position, lens);
     const real3 wi = to_local(v.basis, link.direction);
-    const real3 f = bsdf_eval(v.bsdf, v.wo, wi).value;
+    real3 f = bsdf_eval(v.bsdf, v.wo, wi).value;
+#if ONDE_DISPERSION
+    f = mul3(f, wave_share(v, wi, path.dispersed));
+#endif
     mask useful = lanes & link.valid & nonzero3(f) & true_side(v, wi, link.direction);
 #if ONDE_CULLING // the camera does not see the surface itself from behind
     const mask before = (dot3(v.surface.geometric, link.direction) > 0.0f) == v.surface.front;
@@ -165,7 +178,11 @@ OUTLINED LightVertex light_vertex(SceneView view, LightPath path, Hits hit, Samp
 #if ONDE_ABSORPTION
     path.throughput = mul3(path.throughput, solid_transmittance(view, v.surface, v.t));
 #endif
-    v.basis = make_basis(v.surface.normal);
+    v.basis = surface_basis(v.surface);
+#if ONDE_DISPERSION
+    v.wave = path_wave(view, sampler, v.surface.material, found);
+    v.surface.bend = v.wave.bend;
+#endif
     v.wo = to_local(v.basis, negate3(path.direction));
     v.wo.z = max_real(v.wo.z, (real)(1e-4f));
     v.bsdf = material_bsdf(view, v.surface, v.basis, v.wo);
@@ -183,6 +200,11 @@ OUTLINED LightVertex light_vertex(SceneView view, LightPath path, Hits hit, Samp
     result.next.origin = vertex_exit(v, direction);
     result.next.direction = direction;
     result.next.throughput = mul3(path.throughput, scale3(s.weight, factor));
+#if ONDE_DISPERSION
+    result.next.throughput =
+        mul3(result.next.throughput, wave_share(v, s.wi, path.dispersed));
+    result.next.dispersed = dispersed_along(v, s.wi, path.dispersed);
+#endif
     result.alive =
         found & s.valid & true_side(v, s.wi, direction) & nonzero3(result.next.throughput);
     if (bounce >= view.frame->roulette_start) {

@@ -19,6 +19,7 @@
 #define DIMENSION_DIRECTION 2u // of the BSDF
 #define DIMENSION_ROULETTE 3u  // y: which of the surfaces that let rays pass ends the next ray
 #define DIMENSIONS_PER_BOUNCE 4u
+#define DIMENSION_WAVELENGTH 0x3fffffffu // of light that is dispersed; no bounce has it
 
 INLINE uint bounce_dimension(uint bounce, uint which) {
     return DIMENSION_BOUNCES + bounce * DIMENSIONS_PER_BOUNCE + which;

@@ -113,6 +113,16 @@ INLINE Basis make_basis(real3 n) {
     basis.n = n;
     return basis;
 }
+// The same whose first axis lies as near a direction as it can; any where there is no nearest.
+INLINE Basis make_basis_along(real3 n, real3 direction) {
+    Basis basis = make_basis(n);
+    const real3 s = madd3(n, -dot3(n, direction), direction);
+    const real length = length3(s);
+    const mask usable = length > 1e-4f;
+    basis.s = choose(usable, scale3(s, 1.0f / max_real(length, (real)(1e-20f))), basis.s);
+    basis.t = cross3(n, basis.s);
+    return basis;
+}
 INLINE real3 to_local(Basis b, real3 v) {
     return make3(dot3(b.s, v), dot3(b.t, v), dot3(b.n, v));
 }

@@ -33,10 +33,16 @@
 #else
     #define PATH_RECEIVER NO_COLUMNS
 #endif
+#if ONDE_DISPERSION
+    #define PATH_WAVE WAVE_COLUMNS
+#else
+    #define PATH_WAVE NO_COLUMNS
+#endif
 #define PATH_STATE(VECTOR, REAL, NATURAL)                                                          \
     PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                            \
     PATH_TRAIL(VECTOR, REAL, NATURAL)                                                              \
-    PATH_RECEIVER(VECTOR, REAL, NATURAL) PATH_PANES(VECTOR, REAL, NATURAL)
+    PATH_RECEIVER(VECTOR, REAL, NATURAL)                                                           \
+    PATH_PANES(VECTOR, REAL, NATURAL) PATH_WAVE(VECTOR, REAL, NATURAL)
 COLUMNS_TYPE(Path, PATH_STATE);
 
 typedef struct {
@@ -65,6 +71,9 @@ INLINE Path path_start(__global const FrameRecord* frame, natural pixel, Sampler
     path.pdf = (real)(0.0f);
 #if ONDE_PANES
     path.passed = (real)(0.0f);
+#endif
+#if ONDE_DISPERSION
+    path.dispersed = (natural)(0u);
 #endif
 #if ONDE_LIGHT_TREE
     path.normal = zero3();
@@ -134,6 +143,9 @@ INLINE Connection path_connection(SceneView view, Path path, Vertex v, Sampler s
         choose(light.delta, (real)(1.0f), power_heuristic(light.pdf, f.pdf)) / light.pdf;
     Connection ray;
     ray.value = mul3(mul3(path.throughput, f.value), scale3(light.radiance, weight));
+#if ONDE_DISPERSION
+    ray.value = mul3(ray.value, wave_share(v, wi, path.dispersed));
+#endif
     const mask useful = lanes & light.valid & true_side(v, wi, light.direction) &
                         nonzero3(f.value) & nonzero3(light.radiance);
     ray.origin = vertex_exit(v, light.direction);
@@ -274,7 +286,11 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     }
 
     v.surface.normal = valid_normal(view, v.surface, path.direction);
-    v.basis = make_basis(v.surface.normal);
+    v.basis = surface_basis(v.surface);
+#if ONDE_DISPERSION
+    v.wave = path_wave(view, sampler, v.surface.material, found);
+    v.surface.bend = v.wave.bend;
+#endif
     v.wo = to_local(v.basis, negate3(path.direction));
     v.wo.z = max_real(v.wo.z, (real)(1e-4f));
     v.bsdf = material_bsdf(view, v.surface, v.basis, v.wo);
@@ -294,6 +310,11 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     result.next.direction = direction;
     result.next.throughput = mul3(path.throughput, s.weight);
     result.next.pdf = choose(s.delta, (real)(0.0f), s.pdf);
+#if ONDE_DISPERSION
+    result.next.throughput =
+        mul3(result.next.throughput, wave_share(v, s.wi, path.dispersed));
+    result.next.dispersed = dispersed_along(v, s.wi, path.dispersed);
+#endif
 #if ONDE_LIGHT_TREE
     result.next.normal = vertex_receiver(v).normal;
 #endif

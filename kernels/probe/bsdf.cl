@@ -2,9 +2,9 @@
 #include "probe/scene_probe.h"
 #include "shade/material.h"
 
-#define BSDF_WORDS 5
+#define BSDF_WORDS 6
 
-// Material, front or not, wo (3).
+// Material, front or not, bend of the wavelength, wo (3).
 INLINE Bsdf input_bsdf(SceneView view, Items items) {
     Surface s;
     s.material = input_natural(items, 0);
@@ -15,20 +15,23 @@ INLINE Bsdf input_bsdf(SceneView view, Items items) {
 #if ONDE_NORMAL_MAPS
     s.coat_normal = basis.n;
 #endif
-    return material_bsdf(view, s, basis, input3(items, 2));
+#if ONDE_DISPERSION
+    s.bend = input(items, 2);
+#endif
+    return material_bsdf(view, s, basis, input3(items, BSDF_WORDS - 3));
 }
 
 // In: BSDF, wi (3). Out: value times cosine (3), pdf.
 SCENE_PROBE(bsdf_eval) {
     const BsdfValue v =
-        bsdf_eval(input_bsdf(view, items), input3(items, 2), input3(items, BSDF_WORDS));
+        bsdf_eval(input_bsdf(view, items), input3(items, BSDF_WORDS - 3), input3(items, BSDF_WORDS));
     output(items, 0, v.value);
     output(items, 3, v.pdf);
 }
 
 // In: BSDF, choice, u (2). Out: wi (3), weight (3), pdf, delta, valid.
 SCENE_PROBE(bsdf_sample) {
-    const BsdfSample s = bsdf_sample(input_bsdf(view, items), input3(items, 2),
+    const BsdfSample s = bsdf_sample(input_bsdf(view, items), input3(items, BSDF_WORDS - 3),
                                      input(items, BSDF_WORDS), input2(items, BSDF_WORDS + 1));
     output(items, 0, s.wi);
     output(items, 3, s.weight);

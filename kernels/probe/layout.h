@@ -15,6 +15,7 @@
 #include "shared/motion.h"
 #include "shared/raster.h"
 #include "shared/scene.h"
+#include "shared/spectrum.h"
 #include "shared/types.h"
 #include "shared/volumes.h"
 #include "shared/whitted.h"
@@ -123,6 +124,9 @@
     OFFSET(FrameRecord, pad4)                                                                      \
     OFFSET(FrameRecord, pad5)                                                                      \
     OFFSET(FrameRecord, filter_table)                                                              \
+    SIZE(SpectrumKnot)                                                                             \
+    OFFSET(SpectrumKnot, bend)                                                                     \
+    OFFSET(SpectrumKnot, color)                                                                    \
     SIZE(MaterialRecord)                                                                           \
     OFFSET(MaterialRecord, kind)                                                                   \
     OFFSET(MaterialRecord, lobes)                                                                  \
@@ -133,6 +137,7 @@
     OFFSET(MaterialRecord, albedos)                                                                \
     OFFSET(MaterialRecord, blocks)                                                                 \
     OFFSET(MaterialRecord, absorption)                                                             \
+    OFFSET(MaterialRecord, grain)                                                                  \
     OFFSET(MaterialRecord, base_color)                                                             \
     OFFSET(MaterialRecord, emission)                                                               \
     OFFSET(MaterialRecord, specular_color)                                                         \
@@ -152,6 +157,8 @@
     OFFSET(MaterialRecord, iridescence_ior)                                                        \
     OFFSET(MaterialRecord, iridescence_thickness)                                                  \
     OFFSET(MaterialRecord, iridescence_thickness_minimum)                                          \
+    OFFSET(MaterialRecord, anisotropy)                                                             \
+    OFFSET(MaterialRecord, dispersion)                                                             \
     OFFSET(MaterialRecord, normal_scale)                                                           \
     OFFSET(MaterialRecord, alpha)                                                                  \
     OFFSET(MaterialRecord, alpha_cutoff)                                                           \

@@ -61,13 +61,62 @@ typedef struct {
     real white, grazing;
 } Albedo;
 
-INLINE Albedo reflection_albedo(__global const uint* albedos, AlbedoRow row, real cosine) {
-    const real2 numbers = albedo_numbers(albedos, row, cosine);
+INLINE Albedo reflection_of_numbers(real2 numbers, real cosine) {
     Albedo a;
     a.white = numbers.x;
     a.grazing = numbers.x * (schlick_weight(cosine) + fma(numbers.y, (real)(2.0f), (real)(-1.0f)));
     return a;
 }
+INLINE Albedo reflection_albedo(__global const uint* albedos, AlbedoRow row, real cosine) {
+    return reflection_of_numbers(albedo_numbers(albedos, row, cosine), cosine);
+}
+#if ONDE_ANISOTROPY
+// A place in a table whose neighbours along an axis are `step` words apart.
+typedef struct {
+    natural first;
+    natural step;
+    real fraction;
+} GrainAxis;
+
+INLINE GrainAxis grain_axis(real place, uint count, uint step) {
+    const real scaled = place * (float)(count - 1u);
+    const real whole = min_real(floor(scaled), (real)((float)(count - 2u)));
+    GrainAxis axis;
+    axis.first = as_natural(to_integer(whole)) * step;
+    axis.step = (natural)(step);
+    axis.fraction = scaled - whole;
+    return axis;
+}
+
+// Microfacets with a grain along x. roughness: across it; alpha: along and across.
+INLINE Albedo grain_albedo(__global const uint* albedos, real3 wo, real roughness, real strength,
+                           real2 alpha) {
+    const real flat2 = fma(wo.x, wo.x, wo.y * wo.y);
+    const real flat = 1.0f / sqrt(max_real(flat2, (real)(1e-12f)));
+    const real along = min_real(fabs(wo.x) * flat, (real)(1.0f));
+    const real x = alpha.x * along, y = alpha.y * wo.y * flat;
+    const real seen = sqrt(fma(x, x, y * y)), cosine = max_real(wo.z, (real)(1e-6f));
+    GrainAxis axes[4];
+    axes[0] = grain_axis(roughness, GRAIN_ROWS, GRAIN_ROWS * GRAIN_COLUMNS * GRAIN_COLUMNS);
+    axes[1] = grain_axis(strength, GRAIN_ROWS, GRAIN_COLUMNS * GRAIN_COLUMNS);
+    axes[2] = grain_axis(1.0f - sqrt(along), GRAIN_COLUMNS, GRAIN_COLUMNS);
+    axes[3] = grain_axis(min_real(ALBEDO_PLACE(cosine, seen), (real)(1.0f)), GRAIN_COLUMNS, 1u);
+    real2 sum = make2((real)(0.0f), (real)(0.0f));
+    for (uint corner = 0; corner < 16u; corner++) {
+        natural word = (natural)(GRAIN_TABLE);
+        real weight = (real)(1.0f / 65535.0f);
+        for (uint k = 0; k < 4u; k++) {
+            const bool next = corner >> k & 1u;
+            word += next ? axes[k].first + axes[k].step : axes[k].first;
+            weight *= next ? axes[k].fraction : 1.0f - axes[k].fraction;
+        }
+        const real2 numbers = albedo_word(albedos, word);
+        sum = make2(fma(numbers.x, weight, sum.x), fma(numbers.y, weight, sum.y));
+    }
+    return reflection_of_numbers(sum, wo.z);
+}
+#endif
+
 INLINE Albedo mean_reflection_albedo(__global const uint* albedos, AlbedoRow row) {
     const real2 means = albedo_means(albedos, row);
     Albedo a;

@@ -209,6 +209,15 @@ INLINE BsdfSample bsdf_sample(Bsdf b, real3 wo, real choice, real2 u) {
     return s;
 }
 
+// Whether light toward wi depends on its wavelength: what is refracted, or comes from inside.
+INLINE mask bsdf_disperses(Bsdf b, real3 wi) {
+#if ONDE_DISPERSION
+    if (HAS_LOBE(DIELECTRIC))
+        return b.has.dielectric & b.dielectric.disperses & (b.dielectric.inside | (wi.z < 0.0f));
+#endif
+    return (mask)(0);
+}
+
 // Whether light may pass the surface.
 INLINE mask bsdf_transmits(Bsdf b) {
     mask passes = (mask)(0);

@@ -133,6 +133,9 @@ INLINE MaterialPoint material_point(SceneView view, Surface s, real3 wo) {
     m.kind = RECORD_NATURAL(view.materials, s.material, MaterialRecord, kind);
     m.color = material_color(view, s);
     m.front = s.front;
+#if ONDE_DISPERSION
+    m.bend = s.bend;
+#endif
     m.wo = wo;
     m.cosine = wo.z;
     const real3 packed = MATERIAL_DATA(view, s, METALLIC_ROUGHNESS);
@@ -143,12 +146,27 @@ INLINE MaterialPoint material_point(SceneView view, Surface s, real3 wo) {
     m.metallic *= packed.z;
 #endif
     m.alpha = roughness * roughness;
+#if ONDE_ANISOTROPY
+    m.roughness = roughness;
+    m.anisotropy =
+        MATERIAL_NUMBER(view, s, anisotropy) * MATERIAL_DATA(view, s, ANISOTROPY).z;
+    const mask grained = m.anisotropy > 0.0f;
+    const real across = choose(grained, max_real(m.alpha, (real)(SMOOTH_ALPHA)), m.alpha);
+    m.grain = make2(fma(1.0f - across, square(m.anisotropy), across), across);
+#endif
 #if ONDE_ALBEDOS
     m.row = albedo_row((natural)(0u), m.alpha);
     m.albedo.white = (real)(1.0f);
     m.albedo.grazing = (real)(0.0f);
     const mask layered = is_layered(m) | is_thin(view, m);
     if_any (layered) m.albedo = reflection_albedo(view.albedos, m.row, m.cosine);
+    #if ONDE_ANISOTROPY
+    if_any (grained) {
+        const Albedo own = grain_albedo(view.albedos, wo, m.roughness, m.anisotropy, m.grain);
+        m.albedo.white = choose(grained, own.white, m.albedo.white);
+        m.albedo.grazing = choose(grained, own.grazing, m.albedo.grazing);
+    }
+    #endif
 #endif
     m.coat_normal = make3((real)(0.0f), (real)(0.0f), (real)(1.0f));
     m = with_reflectance(view, s, m);

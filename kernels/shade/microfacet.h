@@ -14,31 +14,30 @@ INLINE real3 reflect_about(real3 wo, real3 h) {
 }
 
 // Walter et al. 2007, eq. 33.
-INLINE real ggx_distribution(real3 h, real alpha) {
+OVERLOAD real ggx_distribution(real3 h, real alpha) {
     const real a2 = alpha * alpha;
     const real k = fma(h.z * h.z, a2 - 1.0f, (real)(1.0f));
     return a2 / (PI * k * k);
 }
 
 // Smith's Lambda (Heitz 2014, eq. 72).
-INLINE real ggx_lambda(real3 w, real alpha) {
+OVERLOAD real ggx_lambda(real3 w, real alpha) {
     const real cosine2 = w.z * w.z;
     const real tangent2 = max_real(1.0f - cosine2, (real)(0.0f)) / cosine2;
     return 0.5f * (sqrt(fma(alpha * alpha, tangent2, (real)(1.0f))) - 1.0f);
 }
-INLINE real ggx_masking(real3 w, real alpha) {
+OVERLOAD real ggx_masking(real3 w, real alpha) {
     return 1.0f / (1.0f + ggx_lambda(w, alpha));
 }
 
 // Height-correlated masking and shadowing (Heitz 2014, eq. 99).
-INLINE real ggx_masking_shadowing(real3 wo, real3 wi, real alpha) {
+OVERLOAD real ggx_masking_shadowing(real3 wo, real3 wi, real alpha) {
     return 1.0f / (1.0f + ggx_lambda(wo, alpha) + ggx_lambda(wi, alpha));
 }
 
 // A normal distributed as those visible from wo (Heitz 2018, Sampling the GGX Distribution of
-// Visible Normals). wo.z > 0.
-INLINE real3 sample_visible_normal(real3 wo, real alpha, real2 u) {
-    const real3 v = normalize3(make3(alpha * wo.x, alpha * wo.y, wo.z));
+// Visible Normals), before and after the microfacets are stretched to alpha 1. wo.z > 0.
+INLINE real3 sample_stretched_normal(real3 v, real2 u) {
     const real across2 = fma(v.x, v.x, v.y * v.y);
     const mask upright = across2 < 1e-12f;
     const real scale = 1.0f / sqrt(choose(upright, (real)(1.0f), across2));
@@ -49,13 +48,40 @@ INLINE real3 sample_visible_normal(real3 wo, real alpha, real2 u) {
     const real s = 0.5f * (1.0f + v.z);
     p.y = fma(s, p.y, (1.0f - s) * safe_sqrt(1.0f - p.x * p.x));
     const real z = safe_sqrt(1.0f - p.x * p.x - p.y * p.y);
-    const real3 n = madd3(v, z, madd3(t2, p.y, scale3(t1, p.x)));
+    return madd3(v, z, madd3(t2, p.y, scale3(t1, p.x)));
+}
+OVERLOAD real3 sample_visible_normal(real3 wo, real alpha, real2 u) {
+    const real3 v = normalize3(make3(alpha * wo.x, alpha * wo.y, wo.z));
+    const real3 n = sample_stretched_normal(v, u);
     return normalize3(make3(alpha * n.x, alpha * n.y, max_real(n.z, (real)(1e-6f))));
 }
 // Per solid angle of the normal.
 INLINE real pdf_visible_normal(real3 wo, real3 h, real alpha) {
     const real facing = max_real(dot3(wo, h), (real)(0.0f));
     return ggx_masking(wo, alpha) * ggx_distribution(h, alpha) * facing / wo.z;
+}
+
+// The same where there is a grain: two alphas, along it (x) and across (Heitz 2014, eqs. 85, 86).
+OVERLOAD real ggx_distribution(real3 h, real2 alpha) {
+    const real x = h.x / alpha.x, y = h.y / alpha.y;
+    const real k = fma(x, x, fma(y, y, h.z * h.z));
+    return 1.0f / (PI * alpha.x * alpha.y * k * k);
+}
+OVERLOAD real ggx_lambda(real3 w, real2 alpha) {
+    const real x = alpha.x * w.x, y = alpha.y * w.y;
+    const real slope2 = fma(x, x, y * y) / (w.z * w.z);
+    return 0.5f * (sqrt(1.0f + slope2) - 1.0f);
+}
+OVERLOAD real ggx_masking(real3 w, real2 alpha) {
+    return 1.0f / (1.0f + ggx_lambda(w, alpha));
+}
+OVERLOAD real ggx_masking_shadowing(real3 wo, real3 wi, real2 alpha) {
+    return 1.0f / (1.0f + ggx_lambda(wo, alpha) + ggx_lambda(wi, alpha));
+}
+OVERLOAD real3 sample_visible_normal(real3 wo, real2 alpha, real2 u) {
+    const real3 v = normalize3(make3(alpha.x * wo.x, alpha.y * wo.y, wo.z));
+    const real3 n = sample_stretched_normal(v, u);
+    return normalize3(make3(alpha.x * n.x, alpha.y * n.y, max_real(n.z, (real)(1e-6f))));
 }
 
 #endif

@@ -84,6 +84,13 @@
 #ifndef ONDE_TRANSMISSION
     #define ONDE_TRANSMISSION 1
 #endif
+// Whether some microfacets have a grain, and whether some solid bends light by its wavelength.
+#ifndef ONDE_ANISOTROPY
+    #define ONDE_ANISOTROPY 0
+#endif
+#ifndef ONDE_DISPERSION
+    #define ONDE_DISPERSION 0
+#endif
 #ifndef ONDE_ABSORPTION
     #define ONDE_ABSORPTION 0
 #endif

@@ -17,6 +17,12 @@ typedef struct {
 #if ONDE_NORMAL_MAPS
     real3 coat_normal; // the same of varnish
 #endif
+#if ONDE_ANISOTROPY
+    real3 grain; // along which microfacets are rougher; about unit, about across the normal
+#endif
+#if ONDE_DISPERSION
+    real bend; // of the light that comes here; 0 of the d line
+#endif
     UvSets uv;
     real3 tint; // of its vertices' colours; multiplies the base colour
     natural material;
@@ -107,6 +113,33 @@ INLINE real3 curve_exit(Surface s) {
 }
 #endif
 
+#if ONDE_ANISOTROPY
+// The grain of a surface of which `tangent` is where u grows (KHR_materials_anisotropy). Shapes
+// without texture coordinates have it about the vertical.
+INLINE real3 surface_grain(SceneView view, Surface s, Tangent tangent, mask triangle) {
+    const real3 about = make3(s.normal.z, (real)(0.0f), -s.normal.x);
+    real3 t = choose(triangle, tangent.direction, about);
+    t = normalize3(madd3(s.normal, -dot3(s.normal, t), t));
+    const real sign = choose(triangle, tangent.sign, (real)(1.0f));
+    const real3 b = scale3(cross3(s.normal, t), sign);
+    real2 turn = make2(RECORD(view.materials, s.material, MaterialRecord, grain[0]),
+                       RECORD(view.materials, s.material, MaterialRecord, grain[1]));
+    #if ONDE_TEXTURES
+    const natural texture = material_texture(view, s.material, TEXTURE_ANISOTROPY);
+    const mask present = texture != NO_INDEX;
+    if_any (present) {
+        const real3 texel = texture_data(view, texture, s.uv);
+        const real x = fma(texel.x, (real)(2.0f), (real)(-1.0f));
+        const real y = fma(texel.y, (real)(2.0f), (real)(-1.0f));
+        const real2 turned = make2(fma(turn.x, x, -turn.y * y), fma(turn.y, x, turn.x * y));
+        turn.x = choose(present, turned.x, turn.x);
+        turn.y = choose(present, turned.y, turn.y);
+    }
+    #endif
+    return madd3(b, turn.y, scale3(t, turn.x));
+}
+#endif
+
 // The surface at the hits of `lanes`; other lanes hold the first primitive's.
 INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hit, mask lanes) {
     const natural record = choose(lanes, hit.primitive, (natural)(0u));
@@ -123,6 +156,9 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
     Surface s;
     s.material = SURFACE_MATERIAL(tag);
     s.light = SURFACE_NATURAL(view, record, any.light);
+#if ONDE_DISPERSION
+    s.bend = (real)(0.0f);
+#endif
     s.uv = triangle_uv(view, corners, u, v);
     s.tint = triangle_tint(view, corners, u, v);
     s = on_triangle(view, record, placement, corners, met, direction, u, v, tag, s,
@@ -148,7 +184,21 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
                                       s.coat_normal);
     }
 #endif
-    return facing(s, direction);
+    s = facing(s, direction);
+#if ONDE_ANISOTROPY
+    const Tangent tangent = placed_tangent(view, placement, triangle_tangent(view, corners, u, v));
+    s.grain = surface_grain(view, s, tangent, triangle);
+#endif
+    return s;
+}
+
+// The basis of a surface's shading normal, whose first axis its grain is.
+INLINE Basis surface_basis(Surface s) {
+#if ONDE_ANISOTROPY
+    return make_basis_along(s.normal, s.grain);
+#else
+    return make_basis(s.normal);
+#endif
 }
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef ONDE_SHADE_VERTEX_H
 #define ONDE_SHADE_VERTEX_H
 
+#include "shade/dispersion.h"
 #include "shade/lights/light_type.h"
 #include "shade/shading_normal.h"
 
@@ -13,7 +14,21 @@ typedef struct {
     real3 wo; // local, above
     real t;   // of the ray that came here
     Bsdf bsdf;
+#if ONDE_DISPERSION
+    Wave wave;
+#endif
 } Vertex;
+
+#if ONDE_DISPERSION
+// What of light goes on along local direction wi: all, or that of the wave.
+INLINE real3 wave_share(Vertex v, real3 wi, natural dispersed) {
+    const mask turned = bsdf_disperses(v.bsdf, wi) & (dispersed == 0u);
+    return choose(turned, v.wave.color, splat3((real)(1.0f)));
+}
+INLINE natural dispersed_along(Vertex v, real3 wi, natural dispersed) {
+    return choose(bsdf_disperses(v.bsdf, wi), (natural)(1u), dispersed);
+}
+#endif
 
 // The vertex as one that lights light.
 INLINE Receiver vertex_receiver(Vertex v) {

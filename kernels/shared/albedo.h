@@ -12,6 +12,15 @@
 #define ALBEDO_TABLE (ALBEDO_MEANS + ALBEDO_ROWS) // words
 #define SHEEN_TABLE ALBEDO_TABLE                  // its first word; that of reflection is at 0
 
+// Reflection by microfacets with a grain, along which they are rougher. The table has a block by
+// roughness across the grain, in it one by strength, in it a row by azimuth, and in it a word by
+// the cosine, whose place is that of the alpha that the azimuth sees.
+#define GRAIN_ROWS 12u
+#define GRAIN_COLUMNS 8u
+#define GRAIN_TABLE (2u * ALBEDO_TABLE) // its first word
+#define GRAIN_WORDS (GRAIN_ROWS * GRAIN_ROWS * GRAIN_COLUMNS * GRAIN_COLUMNS)
+#define GLASS_TABLES (GRAIN_TABLE + GRAIN_WORDS)
+
 // Albedos of small alpha change where cosines are as small: where a direction lies in its row,
 // from 0 to 1.
 #define ALBEDO_PLACE(cosine, alpha) ((cosine) * (1.0f + (alpha)) / ((cosine) + (alpha)))
@@ -21,6 +30,7 @@
 // weight, less that weight of the direction itself, from -1 to 1. As means the albedo, and the part
 // of Schlick's weight.
 // Sheen, the second table: of white fibres; nothing.
+// Reflection with a grain, the third: as the first.
 // Glass: from outside; from inside.
 
 #endif

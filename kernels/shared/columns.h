@@ -24,6 +24,9 @@
 #ifndef ONDE_PANES
     #define ONDE_PANES 0
 #endif
+#ifndef ONDE_DISPERSION
+    #define ONDE_DISPERSION 0
+#endif
 #ifndef ONDE_UNBENT
     #define ONDE_UNBENT 0
 #endif
@@ -42,6 +45,9 @@
 
 // And where there are panes: how far it has come straight through them.
 #define PANE_COLUMNS(VECTOR, REAL, NATURAL) REAL(passed)
+
+// And where glass disperses light: whether it has one wavelength only.
+#define WAVE_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(dispersed)
 
 // A path from a light. Its power is emitted times throughput, that of the surfaces so far.
 #define LIGHT_PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                  \

@@ -3,6 +3,7 @@
 #ifndef ONDE_SHARED_SCENE_H
 #define ONDE_SHARED_SCENE_H
 
+#include "shared/spectrum.h"
 #include "shared/types.h"
 
 #define NO_INDEX 0xffffffffu
@@ -52,6 +53,8 @@ enum { LOBES(LOBE_INDEX) LOBE_COUNT };
     NUMBER(iridescence_ior)                                                                        \
     NUMBER(iridescence_thickness)                                                                  \
     NUMBER(iridescence_thickness_minimum)                                                          \
+    NUMBER(anisotropy)                                                                             \
+    NUMBER(dispersion)                                                                             \
     NUMBER(normal_scale) NUMBER(alpha) NUMBER(alpha_cutoff)
 #define TEXTURE_SLOTS(SLOT)                                                                        \
     SLOT(BASE_COLOR, base_color)                                                                   \
@@ -69,6 +72,7 @@ enum { LOBES(LOBE_INDEX) LOBE_COUNT };
     SLOT(SHEEN_ROUGHNESS, sheen_roughness)                                                         \
     SLOT(IRIDESCENCE, iridescence)                                                                 \
     SLOT(IRIDESCENCE_THICKNESS, iridescence_thickness)                                             \
+    SLOT(ANISOTROPY, anisotropy)                                                                   \
     SLOT(NORMAL, normal)
 
 #define TEXTURE_INDEX(NAME, name) TEXTURE_##NAME,
@@ -92,6 +96,7 @@ typedef struct {
     uint albedos;        // of rough glass: the first word of its table of directional albedos
     uint blocks;         // whether it, smooth glass, blocks light that only straight ways reach
     float absorption[3]; // inside of it: halvings per unit of length
+    float grain[2];      // cosine and sine of anisotropy_rotation
     MATERIAL_COLORS(COLOR_MEMBER)
     MATERIAL_NUMBERS(NUMBER_MEMBER)
     uint texture[TEXTURE_COUNT]; // by slot: index of a TextureRecord, or NO_INDEX
@@ -267,6 +272,7 @@ typedef struct {
 // octahedral, with the lowest bit replaced by the sign of the bitangent.
 // bulges: by surface, of scenes with curved triangles; see src/upload/bulge.h.
 // albedos: tables of shared/albedo.h; the first is that of reflection.
+// spectrum: of scenes that disperse light; see shared/spectrum.h.
 // srgb: 256 entries, from 8-bit sRGB to linear. environment: 3 floats per pixel.
 // environment_alias: MAP_TABLES entries per pixel.
 #define SCENE_BUFFERS(BUFFER)                                                                      \
@@ -278,6 +284,7 @@ typedef struct {
     BUFFER(uint, tangents, "tangents")                                                             \
     BUFFER(MaterialRecord, materials, "materials")                                                 \
     BUFFER(uint, albedos, "directional albedos")                                                   \
+    BUFFER(SpectrumKnot, spectrum, "spectrum of dispersed light")                                  \
     BUFFER(LightRecord, lights, "lights")                                                          \
     BUFFER(LightBranch, light_tree, "light tree")                                                  \
     BUFFER(TextureRecord, textures, "texture records")                                             \

@@ -13,6 +13,7 @@ struct Surface {
     std::string name;
     Material material;
     bool front = true;
+    float bend = 0;     ///< of the light's wavelength, as of SpectrumKnot
     uint32_t index = 0; ///< among the materials of its Bsdfs
 
     bool is_glass() const { return lobes_of(material) & (1u << LOBE_DIELECTRIC | 1u << LOBE_THIN); }
@@ -100,7 +101,8 @@ class Bsdfs {
 /// A probe's first columns.
 inline Columns columns_of(const Surface& surface, size_t count) {
     return {constant_column(count, word(surface.index)),
-            constant_column(count, surface.front ? 1.0f : 0.0f)};
+            constant_column(count, surface.front ? 1.0f : 0.0f),
+            constant_column(count, surface.bend)};
 }
 
 /// Directions above, from normal to grazing.

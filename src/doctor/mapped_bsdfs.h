@@ -26,6 +26,9 @@ inline Material mixed_material(Generator& generator) {
     m.sheen_roughness = unit(generator);
     m.iridescence = some();
     m.iridescence_thickness = 900 * unit(generator);
+    m.anisotropy = some();
+    m.anisotropy_rotation = 6 * unit(generator);
+    m.dispersion = 9 * some();
     return m;
 }
 
@@ -41,10 +44,11 @@ inline std::vector<bsdf::Surface> mixed_surfaces() {
 /// Of kernels/probe/bsdf.cl, over those surfaces.
 inline std::vector<Mapped> mapped_bsdfs(size_t count, size_t surfaces) {
     Generator generator(38);
-    Columns in(2, Column(count));
+    Columns in(3, Column(count));
     for (size_t i = 0; i < count; i++) {
         in[0][i] = word(uint32_t(generator() % surfaces));
         in[1][i] = float(generator() % 2);
+        in[2][i] = unit(generator);
     }
     std::vector<glm::vec3> wo = unit_vectors(generator, count);
     for (glm::vec3& v : wo) v.z = std::max(std::abs(v.z), 1e-4f);

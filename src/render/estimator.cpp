@@ -13,6 +13,7 @@ PathEstimator::PathEstimator(const RenderOptions& options, const SceneFeatures& 
     if (options.aovs >> AOV_UV & 1) shape_.defines.emplace_back("ONDE_UV=1");
     if (scene.light_tree) shape_.state_columns += COLUMN_COUNT(RECEIVER_COLUMNS);
     if (!options.light_groups.empty()) shape_.connection_columns += COLUMN_COUNT(TARGET_COLUMNS);
+    if (scene.dispersion) shape_.state_columns += COLUMN_COUNT(WAVE_COLUMNS);
     if (scene.panes) shape_.state_columns += COLUMN_COUNT(PANE_COLUMNS);
     if (scene.unbent) shape_.connection_columns += COLUMN_COUNT(UNBENT_COLUMNS);
     if ((options.aovs & (GUIDE_AOVS | LIGHT_AOVS)) == 0) return;

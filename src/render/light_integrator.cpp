@@ -30,7 +30,7 @@ double percent(uint64_t part, uint64_t whole) {
 } // namespace
 
 LightEstimator::LightEstimator(RenderBuffers& buffers, const Scene& scene,
-                               const RenderOptions& options)
+                               const SceneFeatures& features, const RenderOptions& options)
     : shape_{.file = "light_tracing/estimator.h",
              .defines = {},
              .state_columns = COLUMN_COUNT(LIGHT_PATH_COLUMNS),
@@ -40,7 +40,9 @@ LightEstimator::LightEstimator(RenderBuffers& buffers, const Scene& scene,
       on_device_(buffers.film.add_copy("light tracing", std::vector{setup_})),
       splats_(buffers.film.add_filled(
           "splats", size_t(options.width) * options.height * SPLAT_WORDS, uint32_t(0))),
-      statistics_(buffers.film.add_filled("light statistics", 2 * LIGHT_STATISTICS, uint32_t(0))) {}
+      statistics_(buffers.film.add_filled("light statistics", 2 * LIGHT_STATISTICS, uint32_t(0))) {
+    if (features.dispersion) shape_.state_columns += COLUMN_COUNT(WAVE_COLUMNS);
+}
 
 uint32_t LightEstimator::bind(gpu::Kernel& kernel, uint32_t first) const {
     return kernel.set_from(first, on_device_, splats_, statistics_);
@@ -57,8 +59,9 @@ std::vector<uint64_t> LightEstimator::statistics(const gpu::Device& device) cons
 LightIntegrator::LightIntegrator(const IntegratorContext& context)
     : WaveIntegrator(checked(context),
                      [&](RenderBuffers& buffers) {
-                         return std::make_unique<LightEstimator>(buffers, *context.description,
-                                                                 context.options);
+                         return std::make_unique<LightEstimator>(
+                             buffers, *context.description, context.scene.packed().features,
+                             context.options);
                      }),
       profiler_(context.profiler), has_mirrors_(has_smooth_lobes(*context.description)),
       hidden_emitters_(count_hidden_emitters(context.scene.packed())),

@@ -18,7 +18,8 @@ struct LightCounts {
 /// The light tracer's half of kernels/light_tracing/estimator.h.
 class LightEstimator : public Estimator {
   public:
-    LightEstimator(RenderBuffers& buffers, const Scene& scene, const RenderOptions& options);
+    LightEstimator(RenderBuffers& buffers, const Scene& scene, const SceneFeatures& features,
+                   const RenderOptions& options);
 
     const EstimatorShape& shape() const override { return shape_; }
     uint32_t bind(gpu::Kernel& kernel, uint32_t first) const override;

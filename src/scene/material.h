@@ -123,6 +123,9 @@ struct Material {
     float iridescence_ior = 1.3f;
     float iridescence_thickness = 400.0f;         ///< nanometres, where its texture is white
     float iridescence_thickness_minimum = 100.0f; ///< where it is black
+    float anisotropy = 0.0f; ///< strength: roughness along the grain goes to 1 by its square
+    float anisotropy_rotation = 0.0f; ///< radians, of the grain, counter-clockwise from the tangent
+    float dispersion = 0.0f; ///< 20 over the Abbe number; 0 bends all light alike
     glm::vec3 emission{0.0f}; ///< radiance, from the front face only (both faces if two_sided)
     bool two_sided = true;    ///< whether emission leaves the back face as well
     int32_t base_color_texture = NO_TEXTURE;
@@ -141,6 +144,7 @@ struct Material {
     int32_t sheen_roughness_texture = NO_TEXTURE;       ///< alpha
     int32_t iridescence_texture = NO_TEXTURE;           ///< red
     int32_t iridescence_thickness_texture = NO_TEXTURE; ///< green
+    int32_t anisotropy_texture = NO_TEXTURE; ///< red, green: direction; blue: strength
     int32_t normal_texture = NO_TEXTURE;                ///< tangent-space normals, +Y up as in glTF
     float normal_scale = 1.0f;
     AlphaMode alpha_mode = AlphaMode::opaque;
@@ -210,6 +214,15 @@ constexpr auto fields_of(TypeTag<Material>) {
               {.range = NOT_NEGATIVE}),
         field("iridescence_thickness_minimum", &M::iridescence_thickness_minimum,
               "where `iridescence_thickness_texture` is black", {.range = NOT_NEGATIVE}),
+        field("anisotropy", &M::anisotropy,
+              "how much rougher `conductor` and `metallic-roughness` are along their grain",
+              {.range = UNIT}),
+        field("anisotropy_rotation", &M::anisotropy_rotation,
+              "of the grain, counter-clockwise from where the texture's u grows",
+              {.form = Form::degrees}),
+        field("dispersion", &M::dispersion,
+              "20 over the Abbe number of what is clear, whose `ior` is that of the d line",
+              {.range = {.low = 0, .high = 100}}),
         field("specular_texture", &M::specular_texture, "alpha multiplies `specular`",
               {.form = Form::linear_texture}),
         field("specular_color_texture", &M::specular_color_texture, "multiplies `specular_color`",
@@ -237,6 +250,9 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("iridescence_thickness_texture", &M::iridescence_thickness_texture,
               "green goes from the minimal thickness to `iridescence_thickness`",
               {.form = Form::linear_texture}),
+        field("anisotropy_texture", &M::anisotropy_texture,
+              "red and green turn the grain, blue multiplies `anisotropy`",
+              {.form = Form::linear_texture}),
         field("normal_texture", &M::normal_texture, "normals in tangent space, +Y up",
               {.form = Form::linear_texture}),
         field("normal_scale", &M::normal_scale, "of the normal texture's x and y"),
@@ -254,9 +270,16 @@ constexpr auto fields_of(TypeTag<Material>) {
                   "how this material's textures go on beyond their edges", "`\"repeat\"`"}};
 }
 
-/// The texture by whose coordinates tangents go: the normal map, else that of the varnish.
-constexpr int32_t normal_map_of(const Material& m) {
-    return m.normal_texture != NO_TEXTURE ? m.normal_texture : m.clearcoat_normal_texture;
+/// The texture by whose coordinates tangents go: the normal map, else that of the varnish, else
+/// that of the grain.
+constexpr int32_t tangent_map_of(const Material& m) {
+    if (m.normal_texture != NO_TEXTURE) return m.normal_texture;
+    if (m.clearcoat_normal_texture != NO_TEXTURE) return m.clearcoat_normal_texture;
+    return m.anisotropy > 0.0f ? m.anisotropy_texture : NO_TEXTURE;
+}
+/// Whether its triangles need tangents.
+constexpr bool has_tangents(const Material& m) {
+    return tangent_map_of(m) != NO_TEXTURE || m.anisotropy > 0.0f;
 }
 
 /// Calls visit(field, index) for each texture slot of a material.

@@ -55,7 +55,7 @@ MemoryPlan plan_memory(const Scene& scene, const RenderOptions& options,
         plan_whitted(buffers, scene, options);
         break;
     case IntegratorKind::light:
-        plan_engine(buffers, LightEstimator(buffers, scene, options).shape(), options);
+        plan_engine(buffers, LightEstimator(buffers, scene, features, options).shape(), options);
         break;
     case IntegratorKind::depth_buffer:
         plan_depth_buffer(buffers, scene, options);

@@ -16,7 +16,8 @@ namespace {
 /// Whether two materials make the same lights and tangents of the surfaces that have them.
 bool same_geometry(const Material& a, const Material& b) {
     return a.emission == b.emission && a.emission_texture == b.emission_texture &&
-           a.two_sided == b.two_sided && normal_map_of(a) == normal_map_of(b) && a.group == b.group;
+           a.two_sided == b.two_sided && tangent_map_of(a) == tangent_map_of(b) &&
+           has_tangents(a) == has_tangents(b) && a.group == b.group;
 }
 
 /// Whether a film of the one is a beginning of a film of the other.

@@ -20,8 +20,8 @@ constexpr uint32_t NOTHING_LOST = 0x8000ffff;
 constexpr size_t MOST_GLASS_TABLES = 64;
 
 /// The cosine of a place in a row: ALBEDO_PLACE the other way.
-double cosine_at(uint32_t column, double alpha) {
-    const double place = double(column) / (ALBEDO_COLUMNS - 1) / (1 + alpha);
+double cosine_at(uint32_t column, uint32_t columns, double alpha) {
+    const double place = double(column) / (columns - 1) / (1 + alpha);
     return std::clamp(place < 1 ? alpha * place / (1 - place) : 1.0, LEAST_COSINE, 1.0);
 }
 
@@ -68,7 +68,7 @@ void fill_table(std::span<uint32_t> table, const Number& number, const Mean& mea
         const double alpha = alpha_of(row);
         for (uint32_t column = 0; column < ALBEDO_COLUMNS; column++)
             table[row * ALBEDO_COLUMNS + column] =
-                word_of_two(number(cosine_at(column, alpha), alpha));
+                word_of_two(number(cosine_at(column, ALBEDO_COLUMNS, alpha), alpha));
         // Of what the kernels will read, so that what is lost and what comes back are the same.
         constexpr int STEPS = 256;
         const double own = double(row) / (ALBEDO_ROWS - 1) * (double(row) / (ALBEDO_ROWS - 1));
@@ -85,16 +85,46 @@ void fill_table(std::span<uint32_t> table, const Number& number, const Mean& mea
     });
 }
 
+AlbedoNumbers reflection_numbers(const ReflectionAlbedo& a, double cosine) {
+    return {a.white, 0.5 * (a.grazing / a.white - schlick_weight(cosine) + 1)};
+}
+
 void fill_reflection(std::span<uint32_t> table) {
     fill_table(
         table,
         [](double cosine, double alpha) {
-            const ReflectionAlbedo a = reflection_albedo(cosine, alpha);
-            return AlbedoNumbers{a.white, 0.5 * (a.grazing / a.white - schlick_weight(cosine) + 1)};
+            return reflection_numbers(reflection_albedo(cosine, alpha), cosine);
         },
         [](AlbedoNumbers n, double cosine) {
             return AlbedoNumbers{n.first, n.first * (2 * n.second - 1 + schlick_weight(cosine))};
         });
+}
+
+/// Of what a grain loses, the part that is given back, lest coarse steps gain light.
+constexpr double GIVEN_BACK_BY_GRAIN = 0.99;
+
+void fill_grain(std::span<uint32_t> table) {
+    constexpr uint32_t ROW = GRAIN_COLUMNS, BLOCK = GRAIN_COLUMNS * ROW;
+    tbb::parallel_for(0u, GRAIN_ROWS * GRAIN_ROWS, [&](uint32_t block) {
+        const double roughness = double(block / GRAIN_ROWS) / (GRAIN_ROWS - 1);
+        const double strength = double(block % GRAIN_ROWS) / (GRAIN_ROWS - 1);
+        const double across = std::max(roughness * roughness, LEAST_ALPHA);
+        const double along = std::lerp(across, 1.0, strength * strength);
+        for (uint32_t row = 0; row < GRAIN_COLUMNS; row++) {
+            const double left = 1 - double(row) / (GRAIN_COLUMNS - 1);
+            const double azimuth = left * left; // its cosine
+            const double seen = std::hypot(along * azimuth, across * std::sqrt(1 - azimuth * azimuth));
+            for (uint32_t column = 0; column < GRAIN_COLUMNS; column++) {
+                const double cosine = cosine_at(column, GRAIN_COLUMNS, seen);
+                ReflectionAlbedo a = grain_albedo(cosine, azimuth, along, across);
+                const double kept = 1 - GIVEN_BACK_BY_GRAIN * (1 - a.white);
+                a.grazing *= kept / a.white;
+                a.white = kept;
+                table[block * BLOCK + row * ROW + column] =
+                    word_of_two(reflection_numbers(a, cosine));
+            }
+        }
+    });
 }
 
 void fill_sheen(std::span<uint32_t> table) {
@@ -123,8 +153,8 @@ void fill_glass(std::span<uint32_t> table, double ior) {
 
 } // namespace
 
-static std::vector<uint32_t> filled(void (*fill)(std::span<uint32_t>)) {
-    std::vector<uint32_t> words(ALBEDO_TABLE);
+static std::vector<uint32_t> filled(size_t count, void (*fill)(std::span<uint32_t>)) {
+    std::vector<uint32_t> words(count);
     fill(words);
     return words;
 }
@@ -137,22 +167,24 @@ uint32_t AlbedoTables::glass(float ior) {
         iors_.push_back(ior);
         nearest = iors_.end() - 1;
     }
-    return uint32_t(2 + (nearest - iors_.begin())) * ALBEDO_TABLE;
+    return GLASS_TABLES + uint32_t(nearest - iors_.begin()) * ALBEDO_TABLE;
 }
 
 std::vector<uint32_t> AlbedoTables::words() && {
-    std::vector<uint32_t> all((2 + iors_.size()) * ALBEDO_TABLE, NOTHING_LOST);
+    std::vector<uint32_t> all(GLASS_TABLES + iors_.size() * ALBEDO_TABLE, NOTHING_LOST);
     if (!used_) return all;
-    const auto table = [&](size_t i) {
-        return std::span(all).subspan(i * ALBEDO_TABLE, ALBEDO_TABLE);
-    };
-    static const std::vector<uint32_t> reflection = filled(fill_reflection);
-    std::ranges::copy(reflection, table(0).begin());
+    static const std::vector<uint32_t> reflection = filled(ALBEDO_TABLE, fill_reflection);
+    std::ranges::copy(reflection, all.begin());
     if (sheen_) {
-        static const std::vector<uint32_t> sheen = filled(fill_sheen);
-        std::ranges::copy(sheen, table(1).begin());
+        static const std::vector<uint32_t> sheen = filled(ALBEDO_TABLE, fill_sheen);
+        std::ranges::copy(sheen, all.begin() + SHEEN_TABLE);
     }
-    for (size_t i = 0; i < iors_.size(); i++) fill_glass(table(i + 2), iors_[i]);
+    if (grain_) {
+        static const std::vector<uint32_t> grain = filled(GRAIN_WORDS, fill_grain);
+        std::ranges::copy(grain, all.begin() + GRAIN_TABLE);
+    }
+    for (size_t i = 0; i < iors_.size(); i++)
+        fill_glass(std::span(all).subspan(GLASS_TABLES + i * ALBEDO_TABLE, ALBEDO_TABLE), iors_[i]);
     return all;
 }
 

@@ -16,16 +16,19 @@ class AlbedoTables {
     /// The first word of the table of glass of an index of refraction, outside over inside. Where
     /// there are very many indices, that of the nearest.
     uint32_t glass(float ior);
-    /// The table of reflection first, then that of sheen, then those of glass. Those that nothing
-    /// asks for say that nothing is lost, for kernels that can do more than the scene asks.
+    /// The tables of reflection, of sheen, of reflection with a grain, then those of glass. Those
+    /// that nothing asks for say that nothing is lost, for kernels that can do more than the scene
+    /// asks.
     std::vector<uint32_t> words() &&;
     /// Asks for the table of reflection.
     void reflection() { used_ = true; }
     /// Asks for that of sheen too.
     void sheen() { used_ = sheen_ = true; }
+    /// Asks for that with a grain too.
+    void grain() { used_ = grain_ = true; }
 
   private:
-    bool used_ = false, sheen_ = false;
+    bool used_ = false, sheen_ = false, grain_ = false;
     std::vector<float> iors_;
 };
 

@@ -4,6 +4,7 @@
 #include "scene/light_groups.h"
 #include "scene/phong.h"
 #include "upload/albedo_tables.h"
+#include "upload/spectrum_table.h"
 #include "upload/words.h"
 
 #include <algorithm>
@@ -81,6 +82,11 @@ static bool is_rough_alpha(float roughness) {
     return roughness * roughness >= SMOOTH_ALPHA;
 }
 
+/// A grain is rough along itself, however smooth the surface is across.
+static bool has_microfacets(const Material& m) {
+    return is_rough_alpha(m.roughness) || m.anisotropy > 0;
+}
+
 static uint32_t clear_lobe(const Material& m) {
     return bit(m.thin_walled ? LOBE_THIN : LOBE_DIELECTRIC);
 }
@@ -90,7 +96,7 @@ uint32_t lobes_of(const Material& m) {
     case MaterialKind::diffuse:
         return bit(LOBE_DIFFUSE);
     case MaterialKind::conductor: // what meets several microfacets leaves evenly
-        return bit(LOBE_GLOSSY) | (is_rough_alpha(m.roughness) ? bit(LOBE_DIFFUSE) : 0);
+        return bit(LOBE_GLOSSY) | (has_microfacets(m) ? bit(LOBE_DIFFUSE) : 0);
     case MaterialKind::dielectric:
         return clear_lobe(m);
     case MaterialKind::metallic_roughness:
@@ -114,13 +120,15 @@ MaterialFeatures features_of(const Material& m) {
     const bool may_be_smooth = !may_be_rough || m.metallic_roughness_texture != NO_TEXTURE;
     MaterialFeatures features{};
     constexpr uint32_t MIRRORING_LOBES = bit(LOBE_GLOSSY) | bit(LOBE_DIELECTRIC) | bit(LOBE_THIN);
-    features.rough = (may_be_rough && (lobes & MIRRORING_LOBES)) ||
+    features.anisotropy = lobes & bit(LOBE_GLOSSY) && m.anisotropy > 0;
+    features.rough = (may_be_rough && (lobes & MIRRORING_LOBES)) || features.anisotropy ||
                      (lobes & bit(LOBE_COAT) && is_rough_alpha(m.clearcoat_roughness));
     features.rough_glass = may_be_rough && solid;
     features.layered = (lobes & LAYERED_LOBES) == LAYERED_LOBES || thin;
     features.index = mixed && m.ior != 1.5f;
     features.specular = mixed && (m.specular != 1 || m.specular_color != glm::vec3(1));
     features.iridescence = mixed && m.iridescence > 0;
+    features.dispersion = solid && m.dispersion > 0;
     features.transmission = mixed && m.transmission > 0;
     features.absorption = solid && m.attenuation_distance && m.attenuation_color != glm::vec3(1);
     features.pane = thin && may_be_smooth;
@@ -153,10 +161,14 @@ PackedMaterials pack_materials(const Scene& scene) {
         record.lobes = lobes_of(m);
         const MaterialFeatures features = features_of(m);
         if (features.layered) albedos.reflection();
+        if (features.anisotropy) albedos.grain();
         if (record.lobes & bit(LOBE_SHEEN)) albedos.sheen();
+        if (features.dispersion && packed.spectrum.empty()) packed.spectrum = spectrum_table();
         if (features.rough_glass) record.albedos = albedos.glass(m.ior);
         record.blocks = m.shadows == GlassShadows::opaque;
         copy(record.absorption, absorption_of(m));
+        record.grain[0] = std::cos(m.anisotropy_rotation);
+        record.grain[1] = std::sin(m.anisotropy_rotation);
         record.two_sided = m.two_sided;
         record.alpha_mode = alpha_modes.of(i);
         record.group = groups(m.group);

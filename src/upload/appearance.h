@@ -20,6 +20,8 @@ struct MaterialFeatures {
     bool index;       ///< its coat's is not 1.5
     bool specular;    ///< it reflects less, or in colour
     bool iridescence;
+    bool anisotropy;
+    bool dispersion;
     bool transmission; ///< its body is clear in part
     bool absorption;
     bool pane;   ///< light goes straight through it, as it is thin and may be smooth
@@ -29,7 +31,8 @@ MaterialFeatures features_of(const Material& material);
 
 struct PackedMaterials {
     std::vector<MaterialRecord> records;
-    std::vector<uint32_t> albedos; ///< tables of shared/albedo.h
+    std::vector<uint32_t> albedos;      ///< tables of shared/albedo.h
+    std::vector<SpectrumKnot> spectrum; ///< empty where nothing disperses light
 };
 PackedMaterials pack_materials(const Scene& scene);
 

@@ -7,6 +7,7 @@ namespace onde {
 SceneFeatures with_all_materials(SceneFeatures features) {
     features.rough = features.rough_glass = features.albedos = true;
     features.indices = features.specular = features.iridescence = true;
+    features.anisotropy = features.dispersion = true;
     features.transmission = features.absorption = features.panes = features.unbent = true;
     features.lobes = ALL_LOBES;
     features.common_lobes = 0;

@@ -39,6 +39,8 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(bool, indices, false, INDICES, either)   /* of coats other than 1.5 */                 \
     FEATURE(bool, specular, false, SPECULAR, either) /* some coat reflects less, or in colour */   \
     FEATURE(bool, iridescence, false, IRIDESCENCE, either)   /* some coat is a thin film */        \
+    FEATURE(bool, anisotropy, false, ANISOTROPY, either)     /* some microfacets have a grain */   \
+    FEATURE(bool, dispersion, false, DISPERSION, either)     /* some solid bends by colour */      \
     FEATURE(bool, transmission, false, TRANSMISSION, either) /* some coat's body is clear */       \
     FEATURE(bool, absorption, false, ABSORPTION, either)     /* in some solid */                   \
     FEATURE(bool, panes, false, PANES, either)   /* light goes straight through some thin wall */  \

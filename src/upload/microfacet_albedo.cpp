@@ -103,6 +103,12 @@ Pair mean_of_microfacets(float cosine, float alpha, const Part& part) {
     return sum;
 }
 
+/// Smith's Lambda by the length of a direction's part along the surface, stretched by alphas.
+float stretched_lambda(float cosine, float flat) {
+    const float slope = flat / cosine;
+    return 0.5f * (std::sqrt(1 + slope * slope) - 1);
+}
+
 /// What a boundary scatters of the light that meets a microfacet.
 float scattered(Microfacet m, float cosine, float alpha, float seen, float eta) {
     const float out = std::max(m.out, 0.0f), sine2 = (1 - out * out) / (eta * eta);
@@ -124,6 +130,47 @@ ReflectionAlbedo reflection_albedo(double cosine, double alpha) {
         return std::array{reflected, reflected * schlick_weight(m.out)};
     });
     return {mean.first, mean.second};
+}
+
+ReflectionAlbedo grain_albedo(double cosine, double along, double alpha_x, double alpha_y) {
+    using Points = DiskPoints<32, 16>;
+    static const Points points;
+    const double sine = std::sqrt(1 - cosine * cosine), across = std::sqrt(1 - along * along);
+    const auto c = float(cosine), ax = float(alpha_x), ay = float(alpha_y);
+    const auto ox = float(sine * along), oy = float(sine * across);
+    const float px = ax * ox, py = ay * oy, flat = std::sqrt(px * px + py * py);
+    const float length = std::sqrt(flat * flat + c * c);
+    const float vx = px / length, vy = py / length, vz = c / length; // the view, stretched
+    const float tx = flat > 0 ? -py / flat : 1, ty = flat > 0 ? px / flat : 0;
+    const float s = 0.5f * (1 + vz), seen = stretched_lambda(c, flat);
+    std::array<float, LANES> white{}, grazing{};
+    for (size_t i = 0; i < 2 * Points::COUNT; i += LANES)
+        for (size_t k = 0; k < LANES; k++) {
+            const size_t at = (i + k) % Points::COUNT; // the other half of the disk
+            const float p = i < Points::COUNT ? points.x[at] : -points.x[at];
+            const float q = (1 - s) * std::sqrt(1 - p * p) + s * points.y[at];
+            const float ahead = std::sqrt(std::max(1 - p * p - q * q, 0.0f));
+            // Along the view, and across it both ways; the second of those is view x first.
+            const float nx = ax * (ahead * vx + p * tx - q * vz * ty);
+            const float ny = ay * (ahead * vy + p * ty + q * vz * tx);
+            const float nz = std::max(ahead * vz + q * (vx * ty - vy * tx), 1e-6f);
+            const float scale = 1 / std::sqrt(nx * nx + ny * ny + nz * nz);
+            const float out = (nx * ox + ny * oy + nz * c) * scale;
+            const float wx = 2 * out * nx * scale - ox, wy = 2 * out * ny * scale - oy;
+            const float wz = 2 * out * nz * scale - c;
+            const float bent = std::sqrt(ax * ax * wx * wx + ay * ay * wy * wy);
+            const float part =
+                (1 + seen) / (1 + seen + stretched_lambda(std::max(wz, 1e-6f), bent));
+            const float reflected = wz > 0 ? 0.5f * points.weight[at] * part : 0;
+            white[k] += reflected;
+            grazing[k] += reflected * schlick_weight(out);
+        }
+    ReflectionAlbedo sum{0, 0};
+    for (size_t k = 0; k < LANES; k++) {
+        sum.white += double(white[k]);
+        sum.grazing += double(grazing[k]);
+    }
+    return sum;
 }
 
 double sheen_albedo(double cosine, double alpha) {

@@ -12,6 +12,10 @@ struct ReflectionAlbedo {
 };
 ReflectionAlbedo reflection_albedo(double cosine, double alpha);
 
+/// The same of microfacets with a grain: alpha_x along it, alpha_y across; `along` is the cosine of
+/// the direction's azimuth from the grain. Absolute errors below 0.003.
+ReflectionAlbedo grain_albedo(double cosine, double along, double alpha_x, double alpha_y);
+
 /// What white fibres scatter: those of kernels/shade/lobes/sheen.h.
 double sheen_albedo(double cosine, double alpha);
 

@@ -30,7 +30,7 @@ static SceneFeatures material_features(const Scene& scene) {
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         const Material material = path_material(scene, i);
         const MaterialFeatures own = features_of(material);
-        features.normal_maps |= normal_map_of(material) != NO_TEXTURE;
+        features.normal_maps |= has_tangents(material);
         features.kinds |= 1u << uint32_t(material.kind);
         features.rough |= own.rough;
         features.rough_glass |= own.rough_glass;
@@ -38,6 +38,8 @@ static SceneFeatures material_features(const Scene& scene) {
         features.indices |= own.index;
         features.specular |= own.specular;
         features.iridescence |= own.iridescence;
+        features.anisotropy |= own.anisotropy;
+        features.dispersion |= own.dispersion;
         features.transmission |= own.transmission;
         features.absorption |= own.absorption;
         features.panes |= own.pane;
@@ -111,6 +113,7 @@ static void pack_appearance(PackedScene& packed, const Scene& scene) {
     PackedMaterials materials = pack_materials(scene);
     packed.materials = std::move(materials.records);
     packed.albedos = std::move(materials.albedos);
+    packed.spectrum = std::move(materials.spectrum);
 }
 
 static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry flat,

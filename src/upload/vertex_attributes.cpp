@@ -10,7 +10,7 @@ VertexAttributes::VertexAttributes(const Scene& scene, FlatGeometry& flat)
     : flat_(flat), further_sets_(used_uv_sets(scene)), first_set_(further_sets_[0]) {
     further_sets_.erase(further_sets_.begin());
     for (const Mesh& mesh : scene.meshes) colors_ |= !mesh.colors.empty();
-    for (const Material& m : scene.materials) tangents_ |= normal_map_of(m) != NO_TEXTURE;
+    for (const Material& m : scene.materials) tangents_ |= has_tangents(m);
 }
 
 void VertexAttributes::add(const Mesh* mesh, uint32_t i, uint32_t tangent) {
@@ -33,18 +33,21 @@ uint32_t encode_tangent(const glm::vec4& tangent) {
     return (encode_octahedral(glm::vec3(tangent)) & ~1u) | uint32_t(tangent.w < 0);
 }
 
+/// Of surfaces that have a grain without a picture.
+static const Texture PLAIN{};
+
 std::vector<glm::vec4> mesh_tangents(const Scene& scene, const Mesh& mesh) {
     std::vector<uint32_t> mapped; // triangles
     for (uint32_t t = 0; t < mesh.triangles.size(); t++)
-        if (normal_map_of(scene.materials[mesh.materials[t]]) != NO_TEXTURE) mapped.push_back(t);
+        if (has_tangents(scene.materials[mesh.materials[t]])) mapped.push_back(t);
     if (mapped.empty()) return {};
     std::vector<TangentCorner> corners;
     corners.reserve(3 * mapped.size());
     for (const uint32_t t : mapped) {
         const glm::uvec3 v = mesh.triangles[t];
         const auto& p = mesh.positions;
-        const int32_t index = normal_map_of(scene.materials[mesh.materials[t]]);
-        const Texture& texture = scene.textures[size_t(index)];
+        const int32_t index = tangent_map_of(scene.materials[mesh.materials[t]]);
+        const Texture& texture = index == NO_TEXTURE ? PLAIN : scene.textures[size_t(index)];
         const std::vector<glm::vec2>& uvs = uv_set(mesh, texture.uv_set);
         const glm::vec3 flat =
             unit_or(glm::cross(p[v.y] - p[v.x], p[v.z] - p[v.x]), glm::vec3(0, 0, 1));

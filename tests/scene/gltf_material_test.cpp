@@ -165,6 +165,8 @@ TEST_CASE("layers and reflectances of glTF's extensions are read, and held to th
     "KHR_materials_iridescence": {"iridescenceFactor": 1, "iridescenceIor": 1.5,
                                   "iridescenceThicknessMinimum": 50,
                                   "iridescenceThicknessMaximum": 800},
+    "KHR_materials_anisotropy": {"anisotropyStrength": 0.5, "anisotropyRotation": 1.25},
+    "KHR_materials_dispersion": {"dispersion": 0.75},
     "KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 2,
                                            "diffuseTransmissionColorFactor": [1, 0.5, 0.25]}}}])"));
     const Material& m = scene.materials[0];
@@ -178,6 +180,9 @@ TEST_CASE("layers and reflectances of glTF's extensions are read, and held to th
     CHECK(m.iridescence_ior == 1.5f);
     CHECK(m.iridescence_thickness_minimum == 50);
     CHECK(m.iridescence_thickness == 800);
+    CHECK(m.anisotropy == 0.5f);
+    CHECK(m.anisotropy_rotation == 1.25f);
+    CHECK(m.dispersion == 0.75f);
     CHECK(m.diffuse_transmission == 1);
     CHECK(m.diffuse_transmission_color == glm::vec3(1, 0.5f, 0.25f));
 }

@@ -15,6 +15,12 @@ typedef struct {
 #if ONDE_TRANSMISSION
     real share; // of the surface that is clear
 #endif
+#if ONDE_DISPERSION
+    mask disperses; // eta is that of the wavelength
+    mask inside;    // the directions above are
+    real split;     // the eta that splits light; outside one for all wavelengths, as what is
+                    // reflected there keeps all
+#endif
 #if ONDE_ROUGH_GLASS
     AlbedoRow row;
     mask front;      // whether the directions above lie outside
@@ -58,7 +64,18 @@ INLINE DielectricLobe dielectric_load(SceneView view, MaterialPoint m) {
     lobe.tint = m.color;
     const real ior = RECORD(view.materials, m.material, MaterialRecord, ior);
     lobe.alpha = choose(fabs(ior - 1.0f) < EQUAL_INDICES, (real)(0.0f), m.alpha);
-    lobe.eta = choose(m.front, ior, 1.0f / ior);
+    real own = ior;
+#if ONDE_DISPERSION
+    const real dispersion = RECORD(view.materials, m.material, MaterialRecord, dispersion);
+    lobe.disperses = dispersion > 0.0f;
+    lobe.inside = !m.front;
+    const real bent = fma((ior - 1.0f) * dispersion * 0.05f, m.bend, ior);
+    own = choose(lobe.disperses, max_real(bent, min_real(ior, (real)(1.0f))), ior);
+#endif
+    lobe.eta = choose(m.front, own, 1.0f / own);
+#if ONDE_DISPERSION
+    lobe.split = choose(m.front & (ior > 1.0f), ior, lobe.eta);
+#endif
 #if ONDE_TRANSMISSION
     lobe.share = clear_share(m);
 #endif
@@ -76,6 +93,15 @@ INLINE real dielectric_share(DielectricLobe lobe) {
 }
 INLINE real dielectric_weight(DielectricLobe lobe, MaterialPoint m) {
     return dielectric_share(lobe);
+}
+
+// What a boundary reflects of light under a cosine, which may be negative by rounding.
+INLINE real dielectric_fresnel(DielectricLobe lobe, real cosine) {
+#if ONDE_DISPERSION
+    return fresnel_dielectric(max_real(cosine, (real)(0.0f)), lobe.split);
+#else
+    return fresnel_dielectric(max_real(cosine, (real)(0.0f)), lobe.eta);
+#endif
 }
 
 // Refracts wo about h (dot(wo, h) >= 0); meaningless under total internal reflection.
@@ -104,7 +130,7 @@ INLINE Boundary boundary_between(DielectricLobe lobe, real3 wo, real3 wi) {
     b.h = choose(b.h.z < 0.0f, negate3(b.h), b.h);
     b.out = dot3(wo, b.h);
     b.in = dot3(wi, b.h);
-    b.fresnel = fresnel_dielectric(max_real(b.out, (real)(0.0f)), lobe.eta);
+    b.fresnel = dielectric_fresnel(lobe, b.out);
     // Walter's denominator, in units of the transmitted index.
     const real spread = b.in + b.out / lobe.eta;
     b.jacobian = fabs(b.in) / (spread * spread);
@@ -169,7 +195,7 @@ INLINE LobeSample dielectric_sample(DielectricLobe lobe, real3 wo, real choice, 
     h = choose(s.delta, h,
                sample_visible_normal(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), u));
 #endif
-    const real fresnel = fresnel_dielectric(max_real(dot3(wo, h), (real)(0.0f)), lobe.eta);
+    const real fresnel = dielectric_fresnel(lobe, dot3(wo, h));
     const mask refracted = choice >= fresnel;
     s.wi = choose(refracted, refract_about(wo, h, lobe.eta), reflect_about(wo, h));
     const real3 tint = scale3(lobe.tint, 1.0f / (lobe.eta * lobe.eta));

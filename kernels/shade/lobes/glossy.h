@@ -7,23 +7,47 @@
 #include "shade/lobes/lobe.h"
 #include "shade/microfacet.h"
 
+#if ONDE_ANISOTROPY
+typedef real2 GlossyAlpha;
+    #define WIDEST_ALPHA(alpha) (alpha).x
+#else
+typedef real GlossyAlpha;
+    #define WIDEST_ALPHA(alpha) (alpha)
+#endif
+
+// What microfacets are sampled by, whether there are any or not.
+INLINE GlossyAlpha rough_alpha(GlossyAlpha alpha) {
+#if ONDE_ANISOTROPY
+    return make2(max_real(alpha.x, (real)(SMOOTH_ALPHA)), max_real(alpha.y, (real)(SMOOTH_ALPHA)));
+#else
+    return max_real(alpha, (real)(SMOOTH_ALPHA));
+#endif
+}
+
 typedef struct {
     real3 f0; // reflectance at normal incidence
     real f90; // and at grazing
-    real alpha;
+    GlossyAlpha alpha;
 #if ONDE_IRIDESCENCE
     real iridescence;
     Film film;
 #endif
 } GlossyLobe;
 
+INLINE mask glossy_is_smooth(GlossyLobe lobe) {
+    return WIDEST_ALPHA(lobe.alpha) < SMOOTH_ALPHA;
+}
 INLINE GlossyLobe glossy_load(SceneView view, MaterialPoint m) {
     const real metallic = choose(is_of_kind(m, MATERIAL_CONDUCTOR), (real)(1.0f), m.metallic);
     GlossyLobe lobe;
     const real opaque = opaque_share(m, metallic); // the clear part has its own reflection
     lobe.f0 = madd3(m.color, metallic, scale3(m.f0, opaque));
     lobe.f90 = fma(m.f90, opaque, metallic);
+#if ONDE_ANISOTROPY
+    lobe.alpha = m.grain;
+#else
     lobe.alpha = m.alpha;
+#endif
 #if ONDE_IRIDESCENCE
     lobe.iridescence = m.iridescence;
     lobe.film = m.film;
@@ -45,17 +69,13 @@ INLINE real glossy_weight(GlossyLobe lobe, MaterialPoint m) {
     real reflected = luminance3(glossy_fresnel(lobe, m.cosine));
 #if ONDE_ALBEDOS
     const real rough = schlick_albedo(m.albedo, luminance3(lobe.f0), lobe.f90);
-    reflected = choose(lobe.alpha < SMOOTH_ALPHA, reflected, rough);
+    reflected = choose(glossy_is_smooth(lobe), reflected, rough);
 #endif
     return max_real(reflected, (real)(1e-9f));
 }
-INLINE mask glossy_is_smooth(GlossyLobe lobe) {
-    return lobe.alpha < SMOOTH_ALPHA;
-}
-
 // Fresnel's factor, and D G / (4 cos_o cos_i) times cos_i.
 INLINE LobeValue glossy_eval(GlossyLobe lobe, real3 wo, real3 wi, mask lanes) {
-    const mask seen = lanes & (lobe.alpha >= SMOOTH_ALPHA) & (wi.z > 0.0f);
+    const mask seen = lanes & !glossy_is_smooth(lobe) & (wi.z > 0.0f);
     LobeValue v = no_lobe_value();
     if (!ONDE_ROUGH) return v;
     if_any (seen) {
@@ -70,9 +90,9 @@ INLINE LobeValue glossy_eval(GlossyLobe lobe, real3 wo, real3 wi, mask lanes) {
     return v;
 }
 INLINE LobeSample glossy_sample(GlossyLobe lobe, real3 wo, real choice, real2 u) {
-    const real3 h = sample_visible_normal(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), u);
+    const real3 h = sample_visible_normal(wo, rough_alpha(lobe.alpha), u);
     LobeSample s;
-    s.delta = lobe.alpha < SMOOTH_ALPHA;
+    s.delta = glossy_is_smooth(lobe);
     s.wi = choose(s.delta, make3(-wo.x, -wo.y, wo.z), reflect_about(wo, h));
     s.weight = glossy_fresnel(lobe, wo.z);
     s.valid = s.wi.z > 0.0f;

@@ -22,6 +22,10 @@ typedef struct {
     UvSets uv;
     real3 color;
     real alpha; // roughness^2
+#if ONDE_ANISOTROPY
+    real roughness, anisotropy;
+    real2 grain; // alphas along the grain and across
+#endif
     real metallic;
     real3 f0; // reflectance of the dielectric half at normal incidence
     real f90; // and at grazing
@@ -37,6 +41,9 @@ typedef struct {
 #if ONDE_IRIDESCENCE
     real iridescence;
     Film film;
+#endif
+#if ONDE_DISPERSION
+    real bend; // of the light's wavelength, as of SpectrumKnot
 #endif
     mask front;  // whether its front is seen
     real3 wo;    // view direction

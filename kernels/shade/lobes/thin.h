@@ -40,7 +40,9 @@ INLINE ThinLobe thin_load(SceneView view, MaterialPoint m) {
 #if ONDE_ALBEDOS
     lobe.row = m.row;
     lobe.albedos = view.albedos;
-    lobe.lost = choose(lobe.alpha < SMOOTH_ALPHA, (real)(0.0f), 1.0f - m.albedo.white);
+    real white = m.albedo.white;
+    if (ONDE_ANISOTROPY) white = reflection_albedo(view.albedos, m.row, m.cosine).white; // no grain
+    lobe.lost = choose(lobe.alpha < SMOOTH_ALPHA, (real)(0.0f), 1.0f - white);
     lobe.mean_lost =
         max_real(1.0f - mean_reflection_albedo(view.albedos, m.row).white, (real)(1e-5f));
     lobe.behind = 1.0f - thin_reflectance(lobe, 1.0f - mean_transmission(lobe.ior));

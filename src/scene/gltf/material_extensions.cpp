@@ -3,6 +3,8 @@
 #include "scene/gltf/numbers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace onde::gltf {
 
@@ -106,6 +108,23 @@ void apply_iridescence(TextureLoader& textures, const JsonReader& source, const 
         textures.load(extended, "iridescenceThicknessTexture", false, user);
 }
 
+void apply_anisotropy(TextureLoader& textures, const JsonReader& source, const std::string& user,
+                      Material& material) {
+    const auto extended = source.extension("KHR_materials_anisotropy");
+    if (!extended) return;
+    material.anisotropy = unit(extended->number("anisotropyStrength", 0.0));
+    if (material.anisotropy == 0.0f) return;
+    material.anisotropy_rotation =
+        float(std::remainder(extended->number("anisotropyRotation", 0.0), 2.0 * std::numbers::pi));
+    material.anisotropy_texture = textures.load(extended, "anisotropyTexture", false, user);
+}
+
+void apply_dispersion(const JsonReader& source, Material& material) {
+    const double dispersion =
+        number_in(source.extension("KHR_materials_dispersion"), "dispersion", 0.0);
+    material.dispersion = float(std::clamp(dispersion, 0.0, 100.0));
+}
+
 } // namespace
 
 void apply_extensions(TextureLoader& textures, const JsonReader& source, const std::string& user,
@@ -118,6 +137,8 @@ void apply_extensions(TextureLoader& textures, const JsonReader& source, const s
     apply_clearcoat(textures, source, user, material);
     apply_sheen(textures, source, user, material);
     apply_iridescence(textures, source, user, material);
+    apply_anisotropy(textures, source, user, material);
+    apply_dispersion(source, material);
 }
 
 } // namespace onde::gltf

@@ -143,9 +143,13 @@ double luminance(const glm::dvec3& color) {
     return 0.2126729 * color.x + 0.7151522 * color.y + 0.072175 * color.z;
 }
 
-glm::dvec3 color_of_light(const Function& radiance) {
+glm::dvec3 color_of_wavelength(double wavelength) {
     static const double white = integral([](double w) { return observer(w).y; });
-    return srgb_of_xyz(integral([&](double w) { return observer(w) * radiance(w); }) / white);
+    return srgb_of_xyz(observer(wavelength)) / white;
+}
+
+glm::dvec3 color_of_light(const Function& radiance) {
+    return integral([&](double w) { return color_of_wavelength(w) * radiance(w); });
 }
 
 glm::dvec3 color_of_surface(const Function& reflectance) {

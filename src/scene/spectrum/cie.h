@@ -14,6 +14,9 @@ using Function = std::function<double(double)>;
 /// Colours that sRGB does not have are negative somewhere.
 glm::dvec3 color_of_light(const Function& radiance);
 
+/// The same of light of one wavelength, per nanometre.
+glm::dvec3 color_of_wavelength(double wavelength);
+
 /// The colour of a surface that reflects that share of D65; a constant 1 is white.
 glm::dvec3 color_of_surface(const Function& reflectance);
 

@@ -141,7 +141,7 @@ INLINE Connection connect_surface(SceneView view, LightPath path, Vertex v, Samp
     mask useful = lanes & link.valid & nonzero3(f) & true_side(v, wi, link.direction);
 #if ONDE_CULLING // the camera does not see the surface itself from behind
     const mask before = (dot3(v.surface.geometric, link.direction) > 0.0f) == v.surface.front;
-    useful = useful & (before | is_double_sided(view, v.surface.material));
+    useful = useful & (before | is_double_sided(view, SURFACE_EMITTER(v.surface)));
 #endif
     if (!mask_bits(useful)) return no_connection();
     const real factor =
@@ -201,8 +201,7 @@ OUTLINED LightVertex light_vertex(SceneView view, LightPath path, Hits hit, Samp
     result.next.direction = direction;
     result.next.throughput = mul3(path.throughput, scale3(s.weight, factor));
 #if ONDE_DISPERSION
-    result.next.throughput =
-        mul3(result.next.throughput, wave_share(v, s.wi, path.dispersed));
+    result.next.throughput = mul3(result.next.throughput, wave_share(v, s.wi, path.dispersed));
     result.next.dispersed = dispersed_along(v, s.wi, path.dispersed);
 #endif
     result.alive =

@@ -114,9 +114,10 @@ INLINE Receiver path_receiver(Path path) {
 }
 
 INLINE real3 path_emission(SceneView view, Path path, real t, Surface s, mask lanes) {
-    const mask emits = lanes & (s.light != NO_INDEX) & material_emits(view, s.material, s.front);
+    const mask emits =
+        lanes & (s.light != NO_INDEX) & material_emits(view, SURFACE_EMITTER(s), s.front);
     if (!mask_bits(emits)) return zero3();
-    const real3 radiance = material_emission(view, s.material, s.uv);
+    const real3 radiance = material_emission(view, SURFACE_EMITTER(s), s.uv);
 #if ONDE_PANES // light was sampled where the path was turned
     t += path.passed;
 #endif
@@ -272,7 +273,7 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     result.emitted = choose(found, emitted, result.emitted);
     if (HAS_UNLIT) result.emitted = add3(result.emitted, path_unlit(view, path, v.surface, found));
 #if ONDE_GROUPS
-    result.group = choose(found, material_group(view, v.surface.material), result.group);
+    result.group = choose(found, material_group(view, SURFACE_EMITTER(v.surface)), result.group);
 #endif
 #if ONDE_AOVS
     if (bounce == 0) result.aovs = first_surface(view, v, path.direction, found, result.aovs);
@@ -311,8 +312,7 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     result.next.throughput = mul3(path.throughput, s.weight);
     result.next.pdf = choose(s.delta, (real)(0.0f), s.pdf);
 #if ONDE_DISPERSION
-    result.next.throughput =
-        mul3(result.next.throughput, wave_share(v, s.wi, path.dispersed));
+    result.next.throughput = mul3(result.next.throughput, wave_share(v, s.wi, path.dispersed));
     result.next.dispersed = dispersed_along(v, s.wi, path.dispersed);
 #endif
 #if ONDE_LIGHT_TREE

@@ -23,8 +23,8 @@ INLINE Bsdf input_bsdf(SceneView view, Items items) {
 
 // In: BSDF, wi (3). Out: value times cosine (3), pdf.
 SCENE_PROBE(bsdf_eval) {
-    const BsdfValue v =
-        bsdf_eval(input_bsdf(view, items), input3(items, BSDF_WORDS - 3), input3(items, BSDF_WORDS));
+    const BsdfValue v = bsdf_eval(input_bsdf(view, items), input3(items, BSDF_WORDS - 3),
+                                  input3(items, BSDF_WORDS));
     output(items, 0, v.value);
     output(items, 3, v.pdf);
 }

@@ -135,10 +135,12 @@
     OFFSET(MaterialRecord, double_sided)                                                           \
     OFFSET(MaterialRecord, group)                                                                  \
     OFFSET(MaterialRecord, albedos)                                                                \
+    OFFSET(MaterialRecord, other)                                                                  \
     OFFSET(MaterialRecord, blocks)                                                                 \
     OFFSET(MaterialRecord, absorption)                                                             \
     OFFSET(MaterialRecord, grain)                                                                  \
     OFFSET(MaterialRecord, base_color)                                                             \
+    OFFSET(MaterialRecord, edge_tint)                                                              \
     OFFSET(MaterialRecord, emission)                                                               \
     OFFSET(MaterialRecord, specular_color)                                                         \
     OFFSET(MaterialRecord, diffuse_transmission_color)                                             \
@@ -158,6 +160,8 @@
     OFFSET(MaterialRecord, iridescence_thickness)                                                  \
     OFFSET(MaterialRecord, iridescence_thickness_minimum)                                          \
     OFFSET(MaterialRecord, anisotropy)                                                             \
+    OFFSET(MaterialRecord, inner_reflection)                                                       \
+    OFFSET(MaterialRecord, blend)                                                                  \
     OFFSET(MaterialRecord, dispersion)                                                             \
     OFFSET(MaterialRecord, normal_scale)                                                           \
     OFFSET(MaterialRecord, alpha)                                                                  \

@@ -148,8 +148,7 @@ INLINE MaterialPoint material_point(SceneView view, Surface s, real3 wo) {
     m.alpha = roughness * roughness;
 #if ONDE_ANISOTROPY
     m.roughness = roughness;
-    m.anisotropy =
-        MATERIAL_NUMBER(view, s, anisotropy) * MATERIAL_DATA(view, s, ANISOTROPY).z;
+    m.anisotropy = MATERIAL_NUMBER(view, s, anisotropy) * MATERIAL_DATA(view, s, ANISOTROPY).z;
     const mask grained = m.anisotropy > 0.0f;
     const real across = choose(grained, max_real(m.alpha, (real)(SMOOTH_ALPHA)), m.alpha);
     m.grain = make2(fma(1.0f - across, square(m.anisotropy), across), across);

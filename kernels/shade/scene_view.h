@@ -91,6 +91,17 @@
 #ifndef ONDE_DISPERSION
     #define ONDE_DISPERSION 0
 #endif
+// Whether metals' edges have a tint, coats send light back to their bodies, and some surfaces are
+// blends of two materials.
+#ifndef ONDE_EDGES
+    #define ONDE_EDGES 0
+#endif
+#ifndef ONDE_INNER
+    #define ONDE_INNER 0
+#endif
+#ifndef ONDE_BLENDS
+    #define ONDE_BLENDS 0
+#endif
 #ifndef ONDE_ABSORPTION
     #define ONDE_ABSORPTION 0
 #endif

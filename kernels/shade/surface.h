@@ -26,6 +26,9 @@ typedef struct {
     UvSets uv;
     real3 tint; // of its vertices' colours; multiplies the base colour
     natural material;
+#if ONDE_BLENDS
+    natural emitter; // the one that it glows by, and passes rays
+#endif
     natural light; // NO_INDEX when it does not emit; see SurfaceRecord
     mask front;    // whether that side is the front face
 } Surface;
@@ -140,6 +143,26 @@ INLINE real3 surface_grain(SceneView view, Surface s, Tangent tangent, mask tria
 }
 #endif
 
+#if ONDE_BLENDS
+    #define SURFACE_EMITTER(s) (s).emitter
+// Of the material and the one that it is blended with, the one that a ray meets: drawn from the
+// bits of where it does, which the sampler has made as random as it is.
+INLINE natural met_material(SceneView view, natural material, UvSets uv, Hits hit) {
+    const natural other = RECORD_NATURAL(view.materials, material, MaterialRecord, other);
+    const mask blended = other != NO_INDEX;
+    if (!mask_bits(blended)) return material;
+    real share = RECORD(view.materials, material, MaterialRecord, blend);
+    #if ONDE_TEXTURES
+    share *= texture_data(view, material_texture(view, material, TEXTURE_BLEND), uv).x;
+    #endif
+    const natural bits = hash_natural(as_natural(hit.t) ^ hash_natural(as_natural(hit.u)));
+    const real u = to_real(hash_natural(bits ^ as_natural(hit.v)) >> 8u) * (1.0f / 16777216.0f);
+    return choose(blended & (u < share), other, material);
+}
+#else
+    #define SURFACE_EMITTER(s) (s).material
+#endif
+
 // The surface at the hits of `lanes`; other lanes hold the first primitive's.
 INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hit, mask lanes) {
     const natural record = choose(lanes, hit.primitive, (natural)(0u));
@@ -161,6 +184,10 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
 #endif
     s.uv = triangle_uv(view, corners, u, v);
     s.tint = triangle_tint(view, corners, u, v);
+#if ONDE_BLENDS
+    s.emitter = s.material;
+    s.material = met_material(view, s.material, s.uv, hit);
+#endif
     s = on_triangle(view, record, placement, corners, met, direction, u, v, tag, s,
                     triangle & ((tag & SURFACE_FLAT) == 0u));
 #if ONDE_SPHERES

@@ -37,6 +37,7 @@ enum { LOBES(LOBE_INDEX) LOBE_COUNT };
 // colours, numbers, textures (SLOT(NAME, name) stands for name_texture).
 #define MATERIAL_COLORS(COLOR)                                                                     \
     COLOR(base_color)                                                                              \
+    COLOR(edge_tint)                                                                               \
     COLOR(emission) COLOR(specular_color) COLOR(diffuse_transmission_color) COLOR(sheen_color)
 #define MATERIAL_NUMBERS(NUMBER)                                                                   \
     NUMBER(roughness)                                                                              \
@@ -54,6 +55,8 @@ enum { LOBES(LOBE_INDEX) LOBE_COUNT };
     NUMBER(iridescence_thickness)                                                                  \
     NUMBER(iridescence_thickness_minimum)                                                          \
     NUMBER(anisotropy)                                                                             \
+    NUMBER(inner_reflection)                                                                       \
+    NUMBER(blend)                                                                                  \
     NUMBER(dispersion)                                                                             \
     NUMBER(normal_scale) NUMBER(alpha) NUMBER(alpha_cutoff)
 #define TEXTURE_SLOTS(SLOT)                                                                        \
@@ -73,6 +76,7 @@ enum { LOBES(LOBE_INDEX) LOBE_COUNT };
     SLOT(IRIDESCENCE, iridescence)                                                                 \
     SLOT(IRIDESCENCE_THICKNESS, iridescence_thickness)                                             \
     SLOT(ANISOTROPY, anisotropy)                                                                   \
+    SLOT(BLEND, blend)                                                                             \
     SLOT(NORMAL, normal)
 
 #define TEXTURE_INDEX(NAME, name) TEXTURE_##NAME,
@@ -94,6 +98,7 @@ typedef struct {
     uint double_sided;   // else camera rays pass its back
     uint group;          // of lights, that its emission belongs to
     uint albedos;        // of rough glass: the first word of its table of directional albedos
+    uint other;          // the material that it is blended with, or NO_INDEX
     uint blocks;         // whether it, smooth glass, blocks light that only straight ways reach
     float absorption[3]; // inside of it: halvings per unit of length
     float grain[2];      // cosine and sine of anisotropy_rotation

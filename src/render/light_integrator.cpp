@@ -59,9 +59,9 @@ std::vector<uint64_t> LightEstimator::statistics(const gpu::Device& device) cons
 LightIntegrator::LightIntegrator(const IntegratorContext& context)
     : WaveIntegrator(checked(context),
                      [&](RenderBuffers& buffers) {
-                         return std::make_unique<LightEstimator>(
-                             buffers, *context.description, context.scene.packed().features,
-                             context.options);
+                         return std::make_unique<LightEstimator>(buffers, *context.description,
+                                                                 context.scene.packed().features,
+                                                                 context.options);
                      }),
       profiler_(context.profiler), has_mirrors_(has_smooth_lobes(*context.description)),
       hidden_emitters_(count_hidden_emitters(context.scene.packed())),

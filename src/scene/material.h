@@ -103,11 +103,14 @@ struct Material {
     MaterialKind kind = MaterialKind::diffuse;
     glm::vec3 base_color{0.8f};
     float roughness = 1.0f;
-    float metallic = 0.0f; ///< metallic_roughness only
+    float metallic = 0.0f;     ///< metallic_roughness only
+    glm::vec3 edge_tint{1.0f}; ///< of what metal reflects at 82 degrees, over Schlick's formula
     float ior = 1.5f; ///< interior over exterior index; of dielectric, and of the dielectric half
                       ///< of metallic_roughness
     float specular = 1.0f;          ///< of the reflection of that half
     glm::vec3 specular_color{1.0f}; ///< the same at normal incidence
+    float inner_reflection =
+        0.0f;                  ///< share of light from that half's body that its coat sends back
     float transmission = 0.0f; ///< share of that half's body that is clear; metallic_roughness only
     bool thin_walled = false;  ///< what lets light through is a sheet: light is not bent
     glm::vec3 attenuation_color{1.0f}; ///< of white light after attenuation_distance inside
@@ -125,7 +128,7 @@ struct Material {
     float iridescence_thickness_minimum = 100.0f; ///< where it is black
     float anisotropy = 0.0f; ///< strength: roughness along the grain goes to 1 by its square
     float anisotropy_rotation = 0.0f; ///< radians, of the grain, counter-clockwise from the tangent
-    float dispersion = 0.0f; ///< 20 over the Abbe number; 0 bends all light alike
+    float dispersion = 0.0f;          ///< 20 over the Abbe number; 0 bends all light alike
     glm::vec3 emission{0.0f}; ///< radiance, from the front face only (both faces if two_sided)
     bool two_sided = true;    ///< whether emission leaves the back face as well
     int32_t base_color_texture = NO_TEXTURE;
@@ -144,15 +147,19 @@ struct Material {
     int32_t sheen_roughness_texture = NO_TEXTURE;       ///< alpha
     int32_t iridescence_texture = NO_TEXTURE;           ///< red
     int32_t iridescence_thickness_texture = NO_TEXTURE; ///< green
-    int32_t anisotropy_texture = NO_TEXTURE; ///< red, green: direction; blue: strength
+    int32_t anisotropy_texture = NO_TEXTURE;            ///< red, green: direction; blue: strength
     int32_t normal_texture = NO_TEXTURE;                ///< tangent-space normals, +Y up as in glTF
     float normal_scale = 1.0f;
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha = 1.0f;        ///< times the base colour texture's alpha and that of the vertices
     float alpha_cutoff = 0.5f; ///< of AlphaMode::mask
-    bool double_sided = true;  ///< else the camera, and what mirrors and clear glass show of the
-                               ///< scene, see through the back; dielectrics always are
-    std::string group{};       ///< of lights, that its emission belongs to
+    std::optional<uint32_t> blend_with{}; ///< another material, of which a part of the surface is;
+                                          ///< emission and alpha are this one's everywhere
+    float blend = 0.5f;                   ///< that part
+    int32_t blend_texture = NO_TEXTURE;   ///< red
+    bool double_sided = true; ///< else the camera, and what mirrors and clear glass show of the
+                              ///< scene, see through the back; dielectrics always are
+    std::string group{};      ///< of lights, that its emission belongs to
 };
 
 constexpr auto fields_of(TypeTag<Material>) {
@@ -165,11 +172,18 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("roughness", &M::roughness, "0 is a mirror; GGX alpha is its square",
               {.range = UNIT, .absent = "`1`; `0` for conductor and dielectric"}),
         field("metallic", &M::metallic, "of `metallic-roughness` only", {.range = UNIT}),
+        field("edge_tint", &M::edge_tint,
+              "of what metal reflects at 82 degrees, over Schlick's formula",
+              {.range = UNIT, .form = Form::color}),
         field("ior", &M::ior, "interior over exterior index of refraction, of what is not metal",
               {.range = {.low = 0.01, .high = 100}}),
         field("specular", &M::specular, "of the reflection of what is not metal", {.range = UNIT}),
         field("specular_color", &M::specular_color, "the same at normal incidence",
               {.range = NOT_NEGATIVE, .form = Form::color}),
+        field("inner_reflection", &M::inner_reflection,
+              "share of light from the body of `metallic-roughness` that the coat sends back to "
+              "it, which makes colours deeper",
+              {.range = {.low = 0, .high = 0.999}}),
         field("transmission", &M::transmission,
               "share of `metallic-roughness` that is clear where it is not metal; `dielectric` is "
               "all",
@@ -262,6 +276,13 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("alpha", &M::alpha, "times the alpha of the base colour texture and of the vertices",
               {.range = UNIT}),
         field("alpha_cutoff", &M::alpha_cutoff, "of `mask`", {.range = NOT_NEGATIVE}),
+        LoaderKey{"blend_with", "name of a material",
+                  "of which a part of the surface is; emission and alpha stay this one's",
+                  "all is of this one"},
+        field_without_key(&M::blend_with, "blended material", {.form = Form::material}),
+        field("blend", &M::blend, "that part", {.range = UNIT}),
+        field("blend_texture", &M::blend_texture, "red multiplies `blend`",
+              {.form = Form::linear_texture}),
         field("double_sided", &M::double_sided,
               "else cameras and mirrors see through the back; "
               "`dielectric` always is"),

@@ -31,10 +31,12 @@ AssetOffsets append_assets(Scene& whole, Scene& part) {
                                .materials = move_to_end(whole.materials, part.materials),
                                .meshes = move_to_end(whole.meshes, part.meshes),
                                .names = move_to_end(whole.names, part.names)};
-    for (size_t i = offsets.materials; i < whole.materials.size(); ++i)
+    for (size_t i = offsets.materials; i < whole.materials.size(); ++i) {
         for_each_texture(whole.materials[i], [&](const auto&, int32_t& texture) {
             if (texture != NO_TEXTURE) texture += int32_t(offsets.textures);
         });
+        if (auto& other = whole.materials[i].blend_with) *other += offsets.materials;
+    }
     for (size_t i = offsets.textures; i < whole.textures.size(); ++i)
         if (int32_t& same = whole.textures[i].same_image_as; same != NO_TEXTURE)
             same += int32_t(offsets.textures);

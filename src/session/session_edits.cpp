@@ -17,7 +17,7 @@ namespace {
 bool same_geometry(const Material& a, const Material& b) {
     return a.emission == b.emission && a.emission_texture == b.emission_texture &&
            a.two_sided == b.two_sided && tangent_map_of(a) == tangent_map_of(b) &&
-           has_tangents(a) == has_tangents(b) && a.group == b.group;
+           has_tangents(a) == has_tangents(b) && a.blend_with == b.blend_with && a.group == b.group;
 }
 
 /// Whether a film of the one is a beginning of a film of the other.

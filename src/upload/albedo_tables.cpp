@@ -113,7 +113,8 @@ void fill_grain(std::span<uint32_t> table) {
         for (uint32_t row = 0; row < GRAIN_COLUMNS; row++) {
             const double left = 1 - double(row) / (GRAIN_COLUMNS - 1);
             const double azimuth = left * left; // its cosine
-            const double seen = std::hypot(along * azimuth, across * std::sqrt(1 - azimuth * azimuth));
+            const double seen =
+                std::hypot(along * azimuth, across * std::sqrt(1 - azimuth * azimuth));
             for (uint32_t column = 0; column < GRAIN_COLUMNS; column++) {
                 const double cosine = cosine_at(column, GRAIN_COLUMNS, seen);
                 ReflectionAlbedo a = grain_albedo(cosine, azimuth, along, across);

@@ -128,6 +128,8 @@ MaterialFeatures features_of(const Material& m) {
     features.index = mixed && m.ior != 1.5f;
     features.specular = mixed && (m.specular != 1 || m.specular_color != glm::vec3(1));
     features.iridescence = mixed && m.iridescence > 0;
+    features.edges = lobes & bit(LOBE_GLOSSY) && m.edge_tint != glm::vec3(1);
+    features.inner = mixed && m.inner_reflection > 0;
     features.dispersion = solid && m.dispersion > 0;
     features.transmission = mixed && m.transmission > 0;
     features.absorption = solid && m.attenuation_distance && m.attenuation_color != glm::vec3(1);
@@ -167,6 +169,7 @@ PackedMaterials pack_materials(const Scene& scene) {
         if (features.rough_glass) record.albedos = albedos.glass(m.ior);
         record.blocks = m.shadows == GlassShadows::opaque;
         copy(record.absorption, absorption_of(m));
+        record.other = m.blend_with.value_or(NO_INDEX);
         record.grain[0] = std::cos(m.anisotropy_rotation);
         record.grain[1] = std::sin(m.anisotropy_rotation);
         record.two_sided = m.two_sided;

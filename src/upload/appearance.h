@@ -20,6 +20,8 @@ struct MaterialFeatures {
     bool index;       ///< its coat's is not 1.5
     bool specular;    ///< it reflects less, or in colour
     bool iridescence;
+    bool edges; ///< it is a metal whose edges have a tint
+    bool inner; ///< its coat sends light back to its body
     bool anisotropy;
     bool dispersion;
     bool transmission; ///< its body is clear in part

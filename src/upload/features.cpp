@@ -8,6 +8,7 @@ SceneFeatures with_all_materials(SceneFeatures features) {
     features.rough = features.rough_glass = features.albedos = true;
     features.indices = features.specular = features.iridescence = true;
     features.anisotropy = features.dispersion = true;
+    features.edges = features.inner = features.blends = true;
     features.transmission = features.absorption = features.panes = features.unbent = true;
     features.lobes = ALL_LOBES;
     features.common_lobes = 0;

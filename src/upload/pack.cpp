@@ -38,6 +38,9 @@ static SceneFeatures material_features(const Scene& scene) {
         features.indices |= own.index;
         features.specular |= own.specular;
         features.iridescence |= own.iridescence;
+        features.blends |= material.blend_with.has_value();
+        features.edges |= own.edges;
+        features.inner |= own.inner;
         features.anisotropy |= own.anisotropy;
         features.dispersion |= own.dispersion;
         features.transmission |= own.transmission;

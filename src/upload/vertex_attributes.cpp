@@ -36,17 +36,23 @@ uint32_t encode_tangent(const glm::vec4& tangent) {
 /// Of surfaces that have a grain without a picture.
 static const Texture PLAIN{};
 
+/// The material of a triangle that needs tangents: its own, else the one it is blended with.
+static const Material& tangent_material(const Scene& scene, const Mesh& mesh, uint32_t triangle) {
+    const Material& own = scene.materials[mesh.materials[triangle]];
+    return has_tangents(own) || !own.blend_with ? own : scene.materials[*own.blend_with];
+}
+
 std::vector<glm::vec4> mesh_tangents(const Scene& scene, const Mesh& mesh) {
     std::vector<uint32_t> mapped; // triangles
     for (uint32_t t = 0; t < mesh.triangles.size(); t++)
-        if (has_tangents(scene.materials[mesh.materials[t]])) mapped.push_back(t);
+        if (has_tangents(tangent_material(scene, mesh, t))) mapped.push_back(t);
     if (mapped.empty()) return {};
     std::vector<TangentCorner> corners;
     corners.reserve(3 * mapped.size());
     for (const uint32_t t : mapped) {
         const glm::uvec3 v = mesh.triangles[t];
         const auto& p = mesh.positions;
-        const int32_t index = tangent_map_of(scene.materials[mesh.materials[t]]);
+        const int32_t index = tangent_map_of(tangent_material(scene, mesh, t));
         const Texture& texture = index == NO_TEXTURE ? PLAIN : scene.textures[size_t(index)];
         const std::vector<glm::vec2>& uvs = uv_set(mesh, texture.uv_set);
         const glm::vec3 flat =

@@ -121,7 +121,8 @@ TEST_CASE("a slanted slab shifts what lies behind it, each wavelength by Snell's
     const glm::dvec3 wanted = over_spectrum([&](double bend) {
         const double n = index_of(glass, bend), inside = std::sqrt(n * n - sine * sine);
         const double shift = sine * (1 - cosine / inside);
-        const double split = (1 - reflected(cosine, double(glass.ior))) * (1 - reflected(cosine, n));
+        const double split =
+            (1 - reflected(cosine, double(glass.ior))) * (1 - reflected(cosine, n));
         return split * (0.5 - 0.5 * shift);
     });
     for (int c = 0; c < 3; c++) {

@@ -15,7 +15,8 @@ struct Floor {
         m.roughness = 0.3f;
         m.anisotropy = 0.7f;
         Mesh& floor = scene.meshes[0];
-        for (const glm::vec3& p : floor.positions) // u grows in the plane, v downward in the picture
+        for (const glm::vec3& p :
+             floor.positions) // u grows in the plane, v downward in the picture
             floor.uvs.emplace_back(glm::dot(u_along, glm::vec2(p.x, p.z)),
                                    glm::dot(glm::vec2(-u_along.y, u_along.x), glm::vec2(p.x, p.z)));
         DirectionalLight sun;
@@ -54,8 +55,7 @@ TEST_CASE("the grain is rough where the texture's u grows, and turns counter-clo
     const auto at = [](double degrees, float light_z) {
         Floor floor;
         floor.scene.materials[0].anisotropy_rotation = float(glm::radians(degrees));
-        floor.scene.directional_lights[0].to_light =
-            glm::normalize(glm::vec3(0.6f, 1, light_z));
+        floor.scene.directional_lights[0].to_light = glm::normalize(glm::vec3(0.6f, 1, light_z));
         return floor.seen();
     };
     CHECK(at(45, 0) == Approx(at(-45, 0)).epsilon(0.02));
@@ -84,7 +84,8 @@ TEST_CASE("a grain has the same bits in all engines and lanes") {
     const Image wave = render_scene(floor.scene, apply(options, VARIANTS[0])).image;
     for (const Variant& variant : VARIANTS) {
         INFO(variant.name);
-        CHECK(first_difference(wave, render_scene(floor.scene, apply(options, variant)).image) == "");
+        CHECK(first_difference(wave, render_scene(floor.scene, apply(options, variant)).image) ==
+              "");
     }
 }
 

@@ -125,16 +125,38 @@ TEST_CASE("BSDFs become the nearest materials") {
                     "name='ext_ior' value='1'/></bsdf>");
     CHECK(glass.kind == MaterialKind::dielectric);
     CHECK(glass.ior == 2.419f);
-    CHECK(material_of("<bsdf type='roughplastic'/>").kind == MaterialKind::metallic_roughness);
+    const Material plastic = material_of("<bsdf type='roughplastic'><float name='int_ior' "
+                                         "value='1.4'/><float name='ext_ior' value='1'/></bsdf>");
+    CHECK(plastic.kind == MaterialKind::metallic_roughness);
+    CHECK(plastic.ior == 1.4f);
+    CHECK(plastic.inner_reflection == 0.0f);
+    CHECK(material_of("<bsdf type='plastic'><boolean name='nonlinear' value='true'/></bsdf>")
+              .inner_reflection > 0.5f);
+    CHECK(material_of("<bsdf type='thindielectric'/>").thin_walled);
+    const Material brushed = material_of("<bsdf type='roughconductor'><float name='alpha_u' "
+                                         "value='.36'/><float name='alpha_v' value='.09'/></bsdf>");
+    CHECK(brushed.roughness == Approx(0.3));
+    CHECK(brushed.anisotropy > 0.5f);
+    CHECK(brushed.anisotropy_rotation == 0.0f);
+    const Material principled =
+        material_of("<bsdf type='principled'><float name='spec_trans' value='.5'/><float "
+                    "name='eta' value='1.33'/><float name='sheen' value='.25'/></bsdf>");
+    CHECK(principled.transmission == 0.5f);
+    CHECK(principled.ior == 1.33f);
+    CHECK(principled.sheen_color.x == 0.25f);
     CHECK(material_of("<bsdf type='null'/>").alpha == 0.0f);
     const Material mask = material_of("<bsdf type='mask'><float name='opacity' value='.3'/><bsdf "
                                       "type='dielectric'/></bsdf>");
     CHECK(mask.alpha == 0.3f);
     CHECK(mask.kind == MaterialKind::dielectric);
-    CHECK(
-        material_of("<bsdf type='blendbsdf'><float name='weight' value='.9'/><bsdf type='diffuse'/>"
-                    "<bsdf type='conductor'/></bsdf>")
-            .kind == MaterialKind::conductor);
+    const Scene blended = load(
+        "<shape type='rectangle'><bsdf type='blendbsdf'><float name='weight' value='.9'/><bsdf "
+        "type='diffuse'/><bsdf type='conductor'/></bsdf></shape>");
+    const Material& first = material(blended);
+    CHECK(first.kind == MaterialKind::diffuse);
+    CHECK(first.blend == 0.9f);
+    REQUIRE(first.blend_with);
+    CHECK(blended.materials.at(*first.blend_with).kind == MaterialKind::conductor);
 }
 
 TEST_CASE("textures show their first row where v is 0, as Mitsuba's do") {

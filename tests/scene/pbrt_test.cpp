@@ -146,9 +146,30 @@ TEST_CASE("materials become the nearest that there are") {
     CHECK(glass.ior == 1.7f);
     CHECK(glass.roughness == 0.0f);
     CHECK(material_of("Material \"dielectric\" \"spectrum eta\" \"glass-BK7\"").ior == 1.5168f);
-    CHECK(material_of("Material \"coateddiffuse\" \"rgb reflectance\" [ 1 0 0 ]").kind ==
-          MaterialKind::metallic_roughness);
-    CHECK(material_of("Material \"thindielectric\"").alpha == Approx(0.08f / 1.04f));
+    CHECK(gold.edge_tint.x < 1.0f);
+    const Material plastic =
+        material_of("Material \"coateddiffuse\" \"rgb reflectance\" [ 1 0 0 ] \"float eta\" 1.4");
+    CHECK(plastic.kind == MaterialKind::metallic_roughness);
+    CHECK(plastic.ior == 1.4f);
+    CHECK(plastic.inner_reflection > 0.5f);
+    const Material pane = material_of("Material \"thindielectric\" \"float eta\" 1.3");
+    CHECK(pane.kind == MaterialKind::dielectric);
+    CHECK(pane.thin_walled);
+    CHECK(pane.ior == 1.3f);
+    const Material leaf =
+        material_of("Material \"diffusetransmission\" \"rgb reflectance\" [ .3 .3 "
+                    ".3 ] \"rgb transmittance\" [ .1 .1 .1 ]");
+    CHECK(leaf.diffuse_transmission == Approx(0.25));
+    check_near(leaf.base_color, glm::vec3(0.4f));
+    check_near(leaf.diffuse_transmission_color, glm::vec3(0.4f));
+    const Material brushed = material_of("Material \"conductor\" \"float uroughness\" .09 \"float "
+                                         "vroughness\" .36 \"bool remaproughness\" false");
+    CHECK(brushed.roughness == Approx(0.3));
+    CHECK(brushed.anisotropy > 0.5f);
+    CHECK(brushed.anisotropy_rotation > 1.5f);
+    const Material varnished = material_of("Material \"coatedconductor\"");
+    CHECK(varnished.metallic == 1.0f);
+    CHECK(varnished.clearcoat == 1.0f);
     CHECK(material_of("Material \"interface\"").alpha == 0.0f);
 }
 
@@ -158,8 +179,17 @@ TEST_CASE("materials may be named before they are defined, and mixed") {
              "MakeNamedMaterial \"b\" \"string type\" \"dielectric\"\n"
              "MakeNamedMaterial \"a\" \"string type\" \"mix\" \"string materials\" [ "
              "\"c\" \"b\" ] \"float amount\" .8\n");
-    CHECK(material(scene).kind == MaterialKind::dielectric);
-    CHECK(has_note(scene, "mixed materials"));
+    CHECK(has_note(scene, "not defined"));
+    const Scene both =
+        load("WorldBegin\nNamedMaterial \"a\"\n" + TRIANGLE +
+             "MakeNamedMaterial \"b\" \"string type\" \"dielectric\"\n"
+             "MakeNamedMaterial \"c\" \"string type\" \"diffuse\"\n"
+             "MakeNamedMaterial \"a\" \"string type\" \"mix\" \"string materials\" [ "
+             "\"c\" \"b\" ] \"float amount\" .8\n");
+    CHECK(material(both).kind == MaterialKind::diffuse);
+    CHECK(material(both).blend == 0.8f);
+    REQUIRE(material(both).blend_with);
+    CHECK(both.materials.at(*material(both).blend_with).kind == MaterialKind::dielectric);
     CHECK(has_note(load("WorldBegin\nNamedMaterial \"a\"\n" + TRIANGLE), "not defined"));
 }
 

@@ -1,5 +1,5 @@
 // Spectra and the colours that the eye makes of them, against published numbers.
-#include "scene/coat.h"
+#include "scene/measured.h"
 #include "scene/spectrum/curve.h"
 
 #include <catch2/catch.hpp>
@@ -63,7 +63,7 @@ TEST_CASE("metals reflect what they are known to") {
         const auto index = conductor_index(symbol);
         REQUIRE(index);
         return color_of_surface(
-            [&](double w) { return normal_reflectance(index->eta(w), index->k(w)); });
+            [&](double w) { return onde::conductor_reflectance(1.0, index->eta(w), index->k(w)); });
     };
     // As physicallybased.info has them, of other measurements.
     check_near(color_of("Ag"), {0.962, 0.949, 0.922}, 0.06);
@@ -72,13 +72,33 @@ TEST_CASE("metals reflect what they are known to") {
     check_near(color_of("Cr"), {0.555, 0.556, 0.554}, 0.06);
     check_near(color_of("Cu"), {0.932, 0.623, 0.522}, 0.06);
     CHECK_FALSE(conductor_index("Xx"));
-    CHECK(normal_reflectance(1.5, 0.0) == Approx(0.04));
+    CHECK(onde::conductor_reflectance(1.0, 1.5, 0.0) == Approx(0.04));
+    // Without absorption they are dielectrics, and Brewster's angle shows half of one polarisation.
+    CHECK(onde::conductor_reflectance(1.0 / std::sqrt(1.0 + 2.25), 1.5, 0.0) ==
+          Approx(0.5 * std::pow((2.25 - 1.0) / (2.25 + 1.0), 2.0)));
+    CHECK(onde::conductor_reflectance(1e-6, 0.2, 3.0) == Approx(1.0).epsilon(1e-4));
+    // By complex amplitudes: silver, chromium, aluminium.
+    CHECK(onde::edge_tint(0.15, 3.5) == Approx(0.98561).epsilon(1e-4));
+    CHECK(onde::edge_tint(3.2, 3.3) == Approx(0.74359).epsilon(1e-4));
+    CHECK(onde::edge_tint(1.2, 7.0) == Approx(0.88921).epsilon(1e-4));
 }
 
-TEST_CASE("a coat darkens and saturates what is under it, but for black and white") {
+TEST_CASE("a plastic's coat sends back what meets its inside") {
     CHECK(onde::internal_reflectance(1.5) == Approx(0.5963).epsilon(1e-3)); // as Egan and Hilgeman
     CHECK(onde::internal_reflectance(1.0) == Approx(0.0).margin(1e-9));
-    check_near(glm::dvec3(onde::coated_albedo(glm::vec3(0, 0.5f, 1), 1.5)), {0.0, 0.2876, 1.0},
-               1e-3);
-    check_near(glm::dvec3(onde::coated_albedo(glm::vec3(0.3f), 1.0)), glm::dvec3(0.3), 1e-6);
+    onde::Material plastic;
+    onde::set_plastic(plastic, 1.5);
+    CHECK(plastic.kind == onde::MaterialKind::metallic_roughness);
+    CHECK(plastic.inner_reflection == Approx(0.5963).epsilon(1e-3));
+}
+
+TEST_CASE("two alphas become a roughness and a grain") {
+    onde::Material m;
+    onde::set_alphas(m, 0.25, 0.25);
+    CHECK(m.roughness == 0.5f);
+    CHECK(m.anisotropy == 0.0f);
+    onde::set_alphas(m, 0.04, 0.5);
+    CHECK(m.roughness == Approx(0.2));
+    CHECK(0.04 + 0.96 * m.anisotropy * m.anisotropy == Approx(0.5));
+    CHECK(m.anisotropy_rotation == Approx(M_PI / 2));
 }

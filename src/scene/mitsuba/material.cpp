@@ -1,7 +1,7 @@
 #include "scene/mitsuba/material.h"
 
-#include "scene/coat.h"
 #include "scene/mean_color.h"
+#include "scene/measured.h"
 #include "scene/opacity.h"
 #include "scene/references.h"
 
@@ -20,37 +20,33 @@ struct Materials::Kind {
 
 std::span<const Materials::Kind> Materials::kinds() {
     static constexpr std::string_view PLASTIC =
-        "`metallic-roughness` without metal: a coat of index 1.5, with a note";
-    static constexpr std::string_view PLASTIC_NOTE =
-        "Plastics have the base and the coat of glTF's, of index 1.5";
+        "`metallic-roughness` without metal, whose coat has the index, and sends light back to its "
+        "body if it is `nonlinear`";
+    static constexpr std::string_view CONDUCTOR =
+        "`conductor` of the reflectances head on and at the edge";
+    static constexpr std::string_view PRINCIPLED =
+        "`metallic-roughness` with its colour, roughness, metal, grain, clear share, coat and "
+        "sheen, with a note";
+    static constexpr std::string_view PRINCIPLED_NOTE =
+        "Principled materials have glTF's lobes in place of their own";
     static constexpr std::string_view INNER = "what is in it";
     static const Kind KINDS[] = {
         {"diffuse", &Materials::diffuse, "`diffuse`", ""},
-        {"conductor", &Materials::conductor, "`conductor` of the reflectance at normal incidence",
-         ""},
-        {"roughconductor", &Materials::rough_conductor,
-         "`conductor` of the reflectance at normal incidence", ""},
+        {"conductor", &Materials::conductor, CONDUCTOR, ""},
+        {"roughconductor", &Materials::rough_conductor, CONDUCTOR, ""},
         {"dielectric", &Materials::dielectric, "`dielectric`", ""},
         {"roughdielectric", &Materials::rough_dielectric, "`dielectric`", ""},
-        {"thindielectric", &Materials::thin_dielectric,
-         "a mirror that lets rays pass as often as the pane does at normal incidence, with a note",
-         "Thin dielectrics reflect the same share at every angle"},
-        {"plastic", &Materials::plastic, PLASTIC, PLASTIC_NOTE},
-        {"roughplastic", &Materials::rough_plastic, PLASTIC, PLASTIC_NOTE},
-        {"principled", &Materials::principled,
-         "`metallic-roughness` of its base colour, roughness and metallic, with a note",
-         "Principled materials have their base colour, roughness and metal alone"},
-        {"principledthin", &Materials::principled,
-         "`metallic-roughness` of its base colour, roughness and metallic, with a note",
-         "Principled materials have their base colour, roughness and metal alone"},
+        {"thindielectric", &Materials::thin_dielectric, "`dielectric` with `thin_walled`", ""},
+        {"plastic", &Materials::plastic, PLASTIC, ""},
+        {"roughplastic", &Materials::rough_plastic, PLASTIC, ""},
+        {"principled", &Materials::principled, PRINCIPLED, PRINCIPLED_NOTE},
+        {"principledthin", &Materials::principled, PRINCIPLED, PRINCIPLED_NOTE},
         {"null", &Materials::null, "nothing: rays pass", ""},
         {"twosided", &Materials::two_sided, INNER, ""},
         {"mask", &Materials::mask, "what is in it, with its opacity as alpha", ""},
         {"normalmap", &Materials::normal_map, "what is in it, with a normal texture", ""},
         {"bumpmap", &Materials::bump_map, "what is in it, with a note", "Bump maps are left out"},
-        {"blendbsdf", &Materials::blend,
-         "of its two materials the one that counts more, with a note",
-         "Of blended materials the one that counts more is shown"}};
+        {"blendbsdf", &Materials::blend, "its first material, with `blend_with` the second", ""}};
     return KINDS;
 }
 
@@ -105,21 +101,27 @@ double Materials::number(const Element& of, std::string_view name, double absent
     return textured->factor.x * mean_color(scene_, textured->texture).x;
 }
 
-/// Our roughness, whose square is alpha.
-void Materials::set_roughness(const Element& bsdf, Material& m) {
-    const double alpha = number(bsdf, "alpha", 0.1);
-    const double u = number(bsdf, "alpha_u", alpha), v = number(bsdf, "alpha_v", alpha);
-    if (u != v)
-        document_.notes().add("Roughness is the same along all directions of a surface", m.name);
+/// GGX's alphas along u and v.
+glm::dvec2 Materials::alphas(const Element& bsdf) {
     if (Values(document_, bsdf).text("distribution", "beckmann") != "ggx")
         document_.notes().add("Beckmann's distribution is taken as GGX's", bsdf.where);
-    m.roughness = float(std::pow(std::clamp(u, 0.0, 1.0) * std::clamp(v, 0.0, 1.0), 0.25));
+    const double alpha = number(bsdf, "alpha", 0.1);
+    return glm::clamp(glm::dvec2(number(bsdf, "alpha_u", alpha), number(bsdf, "alpha_v", alpha)),
+                      0.0, 1.0);
 }
 
-void Materials::set_index(const Element& bsdf, Material& m) {
+/// Of what has no grain in Onde.
+void Materials::set_even_roughness(const Element& bsdf, Material& m) {
+    const glm::dvec2 alpha = alphas(bsdf);
+    if (alpha.x != alpha.y)
+        document_.notes().add("Glass and coats are as rough along all directions of a surface",
+                              m.name);
+    m.roughness = float(std::pow(alpha.x * alpha.y, 0.25));
+}
+
+double Materials::index_of(const Element& bsdf) {
     const Values values(document_, bsdf);
-    const double ratio = values.index("int_ior", "bk7") / values.index("ext_ior", "air");
-    m.ior = float(std::clamp(std::isfinite(ratio) ? ratio : 1.5, 0.01, 100.0));
+    return values.index("int_ior", "bk7") / values.index("ext_ior", "air");
 }
 
 void Materials::set_conductor(const Element& bsdf, Material& m) {
@@ -136,9 +138,10 @@ void Materials::set_conductor(const Element& bsdf, Material& m) {
     }
     const Textured tint = color(bsdf, "specular_reflectance", glm::dvec3(1.0));
     glm::vec3 reflectance(substance == "none" ? 1.0f : 0.5f);
-    if (eta && k)
-        for (size_t c = 0; c < 3; ++c)
-            reflectance[c] = float(spectrum::normal_reflectance((*eta)[c], (*k)[c]));
+    for (glm::length_t c = 0; eta && k && c < 3; ++c) {
+        reflectance[c] = float(conductor_reflectance(1.0, (*eta)[c], (*k)[c]));
+        m.edge_tint[c] = float(edge_tint((*eta)[c], (*k)[c]));
+    }
     m.base_color = glm::clamp(reflectance * tint.factor, 0.0f, 1.0f);
     m.base_color_texture = tint.texture;
 }
@@ -155,52 +158,61 @@ void Materials::conductor(const Element& bsdf, Material& m, int) {
 
 void Materials::rough_conductor(const Element& bsdf, Material& m, int) {
     set_conductor(bsdf, m);
-    set_roughness(bsdf, m);
+    const glm::dvec2 alpha = alphas(bsdf);
+    set_alphas(m, alpha.x, alpha.y);
 }
 
 void Materials::dielectric(const Element& bsdf, Material& m, int) {
     m.kind = MaterialKind::dielectric;
     set_color(bsdf, "specular_transmittance", m, 1.0);
-    set_index(bsdf, m);
+    const double index = index_of(bsdf);
+    m.ior = float(std::clamp(std::isfinite(index) ? index : 1.5, 0.01, 100.0));
     m.roughness = 0.0f;
 }
 
 void Materials::rough_dielectric(const Element& bsdf, Material& m, int depth) {
     dielectric(bsdf, m, depth);
-    set_roughness(bsdf, m);
+    set_even_roughness(bsdf, m);
 }
 
-/// What two faces reflect of light that meets them head on stays; the rest goes straight on.
 void Materials::thin_dielectric(const Element& bsdf, Material& m, int) {
-    set_index(bsdf, m);
-    const double face = spectrum::normal_reflectance(m.ior, 0.0);
-    m.kind = MaterialKind::conductor;
-    m.base_color = glm::vec3(1.0f);
-    m.roughness = 0.0f;
-    m.alpha_mode = AlphaMode::blend;
-    m.alpha = float(2.0 * face / (1.0 + face));
+    set_pane(m, index_of(bsdf));
+    set_color(bsdf, "specular_transmittance", m, 1.0);
 }
 
+/// Without `nonlinear`, what comes back to the body is as white as what went out first.
 void Materials::plastic(const Element& bsdf, Material& m, int) {
-    m.kind = MaterialKind::metallic_roughness;
+    set_plastic(m, index_of(bsdf));
     set_color(bsdf, "diffuse_reflectance", m);
-    set_index(bsdf, m);
-    if (Values(document_, bsdf).flag("nonlinear", false))
-        m.base_color = coated_albedo(m.base_color, m.ior);
-    m.ior = Material{}.ior; // of the kind, glTF's
+    if (!Values(document_, bsdf).flag("nonlinear", false)) m.inner_reflection = 0.0f;
     m.roughness = 0.0f;
 }
 
 void Materials::rough_plastic(const Element& bsdf, Material& m, int depth) {
     plastic(bsdf, m, depth);
-    set_roughness(bsdf, m);
+    set_even_roughness(bsdf, m);
 }
 
 void Materials::principled(const Element& bsdf, Material& m, int) {
+    const auto share = [&](std::string_view name, double absent) {
+        return float(std::clamp(number(bsdf, name, absent), 0.0, 1.0));
+    };
     m.kind = MaterialKind::metallic_roughness;
     set_color(bsdf, "base_color", m);
-    m.roughness = float(std::clamp(number(bsdf, "roughness", 0.5), 0.0, 1.0));
-    m.metallic = float(std::clamp(number(bsdf, "metallic", 0.0), 0.0, 1.0));
+    const double alpha = std::pow(double(share("roughness", 0.5)), 2.0);
+    const double aspect = std::sqrt(1.0 - 0.9 * double(share("anisotropic", 0.0)));
+    set_alphas(m, alpha / aspect, alpha * aspect);
+    m.metallic = share("metallic", 0.0);
+    m.transmission = share("spec_trans", 0.0);
+    m.thin_walled = bsdf["type"] == "principledthin";
+    const double specular = number(bsdf, "specular", 0.5);
+    const double index = 2.0 / (1.0 - std::sqrt(0.08 * std::clamp(specular, 0.0, 1.0))) - 1.0;
+    m.ior = float(std::clamp(number(bsdf, "eta", index), 1.0, 100.0));
+    m.clearcoat = 0.25f * share("clearcoat", 0.0);
+    m.clearcoat_roughness =
+        float(std::sqrt(std::lerp(0.1, 0.001, double(share("clearcoat_gloss", 0.0)))));
+    m.sheen_color = glm::vec3(share("sheen", 0.0));
+    m.sheen_roughness = 0.5f;
 }
 
 void Materials::null(const Element&, Material& m, int) {
@@ -243,12 +255,28 @@ void Materials::bump_map(const Element& bsdf, Material& m, int depth) {
 }
 
 void Materials::blend(const Element& bsdf, Material& m, int depth) {
-    size_t wanted = number(bsdf, "weight", 0.5) > 0.5 ? 1 : 0;
+    std::vector<const Element*> parts;
     for (const Element& child : bsdf.children) {
         if (child.tag != "bsdf" && child.tag != "ref") continue;
         const Element* part = document_.resolved(child);
-        if (part && part->tag == "bsdf" && wanted-- == 0) return convert_into(*part, m, depth + 1);
+        if (part && part->tag == "bsdf") parts.push_back(part);
     }
+    if (parts.size() != 2)
+        return document_.notes().wrong("Blends of other than two materials are grey", bsdf.where);
+    const Textured weight = color(bsdf, "weight", glm::dvec3(0.5));
+    convert_into(*parts[0], m, depth + 1);
+    if (blends_ > 0)
+        return document_.notes().add("Of blends within blends the first part is shown", bsdf.where);
+    ++blends_;
+    Material other;
+    other.name = "default";
+    other.base_color = glm::vec3(0.5f);
+    convert_into(*parts[1], other, depth + 1);
+    --blends_;
+    scene_.materials.push_back(std::move(other));
+    m.blend_with = uint32_t(scene_.materials.size() - 1);
+    m.blend = std::clamp(weight.factor.x, 0.0f, 1.0f);
+    m.blend_texture = weight.texture;
 }
 
 } // namespace onde::mitsuba

@@ -34,8 +34,9 @@ class Materials {
     void inner(const Element& bsdf, Material& m, int depth);
     void set_color(const Element& bsdf, std::string_view name, Material& m, double absent = 0.5);
     double number(const Element& of, std::string_view name, double absent);
-    void set_roughness(const Element& bsdf, Material& m);
-    void set_index(const Element& bsdf, Material& m);
+    glm::dvec2 alphas(const Element& bsdf);
+    void set_even_roughness(const Element& bsdf, Material& m);
+    double index_of(const Element& bsdf);
     void set_conductor(const Element& bsdf, Material& m);
     std::optional<Textured> texture(const Element& texture, bool is_color);
     std::optional<Textured> bitmap(const Element& texture, bool is_color);
@@ -60,6 +61,7 @@ class Materials {
 
     const Document& document_;
     Scene& scene_;
+    int blends_ = 0; ///< around what is being converted
 };
 
 } // namespace onde::mitsuba

@@ -1,9 +1,10 @@
 #include "scene/pbrt/material.h"
 
-#include "scene/coat.h"
 #include "scene/file_words.h"
+#include "scene/measured.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -26,6 +27,9 @@ class Converter {
     Converter(const MaterialSources& all, const FindMaterial& find, Textures& textures,
               const Sources& sources)
         : all_(all), find_(find), textures_(textures), notes_(sources.notes), sources_(sources) {}
+
+    /// The second part of a mixture that was converted.
+    std::optional<Material> other() const { return other_; }
 
     Material convert(const MaterialSource& source, int depth = 0) {
         p_ = &source.parameters;
@@ -53,16 +57,27 @@ class Converter {
         m_.base_color_texture = color.texture;
     }
 
-    /// Our roughness, whose square is GGX's alpha. pbrt's own is alpha, or its square.
-    void set_roughness(const std::string& prefix = "") {
+    /// GGX's alphas along u and v. pbrt's own roughness is alpha, or its square.
+    glm::dvec2 alphas(const std::string& prefix) {
         const double both = textures_.number(*p_, prefix + "roughness").value_or(0.0);
         const double u = textures_.number(*p_, prefix + "uroughness").value_or(both);
         const double v = textures_.number(*p_, prefix + "vroughness").value_or(both);
-        if (u != v) notes_.add("Roughness is the same along all directions of a surface", m_.name);
-        const double stated = std::sqrt(std::clamp(u, 0.0, 1.0) * std::clamp(v, 0.0, 1.0));
-        const bool remaps = p_->flag("remaproughness").value_or(true);
-        const double alpha = remaps ? std::sqrt(stated) : stated;
-        m_.roughness = float(std::sqrt(alpha));
+        const glm::dvec2 stated = glm::clamp(glm::dvec2(u, v), 0.0, 1.0);
+        return p_->flag("remaproughness").value_or(true) ? glm::sqrt(stated) : stated;
+    }
+
+    /// Of what reflects.
+    void set_roughness(const std::string& prefix = "") {
+        const glm::dvec2 alpha = alphas(prefix);
+        set_alphas(m_, alpha.x, alpha.y);
+    }
+
+    /// Of what has no grain in Onde, such as glass.
+    float even_roughness(const std::string& prefix = "") {
+        const glm::dvec2 alpha = alphas(prefix);
+        if (alpha.x != alpha.y)
+            notes_.add("Glass and coats are as rough along all directions of a surface", m_.name);
+        return float(std::pow(alpha.x * alpha.y, 0.25));
     }
 
     void diffuse() {
@@ -71,11 +86,9 @@ class Converter {
     }
 
     void coated_diffuse() {
-        m_.kind = MaterialKind::metallic_roughness;
+        set_plastic(m_, stated_index());
         set_color("reflectance", glm::vec3(0.5f));
         set_roughness();
-        const auto eta = spectrum_of(*p_, "eta", sources_);
-        m_.base_color = coated_albedo(m_.base_color, eta ? yellow_index(*eta) : 1.5);
     }
 
     void conductor_color_of(const std::string& prefix) {
@@ -84,7 +97,10 @@ class Converter {
         if (p_->has("reflectance")) return set_color("reflectance", m_.base_color);
         const auto eta = spectrum_of(*p_, prefix + "eta", sources_);
         const auto k = spectrum_of(*p_, prefix + "k", sources_);
-        if (eta && k) m_.base_color = conductor_color(*eta, *k);
+        if (!eta || !k) return;
+        const ConductorColors colors = conductor_colors(*eta, *k);
+        m_.base_color = colors.normal;
+        m_.edge_tint = colors.edge_tint;
     }
 
     void conductor() {
@@ -95,37 +111,51 @@ class Converter {
     void coated_conductor() {
         conductor_color_of("conductor.");
         set_roughness("conductor.");
-        for (const char* name : {"eta", "roughness", "uroughness", "vroughness"})
-            p_->find(std::string("interface.") + name);
+        m_.kind = MaterialKind::metallic_roughness;
+        m_.metallic = 1.0f;
+        m_.clearcoat = 1.0f;
+        m_.clearcoat_roughness = even_roughness("interface.");
+        p_->find("interface.eta");
     }
 
-    void set_index() {
+    double stated_index() {
         const auto eta = spectrum_of(*p_, "eta", sources_);
-        m_.ior = float(std::clamp(eta ? yellow_index(*eta) : 1.5, 0.01, 100.0));
+        return eta ? yellow_index(*eta) : 1.5;
     }
 
     void dielectric() {
         m_.kind = MaterialKind::dielectric;
         m_.base_color = glm::vec3(1.0f);
-        set_index();
-        set_roughness();
+        m_.ior = float(std::clamp(stated_index(), 0.01, 100.0));
+        m_.roughness = even_roughness();
     }
 
-    /// What two faces reflect of light that meets them head on stays; the rest goes straight on.
     void thin_dielectric() {
-        set_index();
-        const double face = spectrum::normal_reflectance(m_.ior, 0.0);
-        m_.kind = MaterialKind::conductor;
+        set_pane(m_, stated_index());
         m_.base_color = glm::vec3(1.0f);
-        m_.roughness = 0.0f;
-        m_.alpha_mode = AlphaMode::blend;
-        m_.alpha = float(2.0 * face / (1.0 + face));
     }
 
+    /// All of the sum is scattered, of which a part goes through.
     void diffuse_transmission() {
-        m_.kind = MaterialKind::diffuse;
-        set_color("reflectance", glm::vec3(0.25f));
-        p_->find("transmittance");
+        const auto of = [&](std::string_view name) {
+            const Textured color = textures_.color(*p_, name).value_or(Textured{glm::vec3(0.25f)});
+            if (color.texture != NO_TEXTURE)
+                notes_.add("Textures of what lets diffuse light through are left out", m_.name);
+            const auto scale = float(textures_.number(*p_, "scale").value_or(1.0));
+            return glm::clamp(color.factor * scale, 0.0f, 1.0f);
+        };
+        const glm::vec3 front = of("reflectance"), behind = of("transmittance");
+        const glm::vec3 both = front + behind;
+        const float most = std::max({both.x, both.y, both.z, 1e-6f});
+        const float through = std::max({behind.x, behind.y, behind.z}) / most;
+        m_.kind = MaterialKind::metallic_roughness;
+        m_.specular = 0.0f;
+        m_.diffuse_transmission = through;
+        const auto share = [](const glm::vec3& color, float part) {
+            return part > 0.0f ? glm::min(color / part, 1.0f) : glm::vec3(0.0f);
+        };
+        m_.base_color = share(front, 1.0f - through);
+        m_.diffuse_transmission_color = share(behind, through);
     }
 
     void subsurface() {
@@ -145,21 +175,27 @@ class Converter {
         m_.alpha = 0.0f;
     }
 
-    /// The part that counts more, as a material itself.
+    /// Its first part, blended with its second.
     Material mix(const MaterialSource& source, int depth) {
         constexpr int DEEPEST = 16;
         const Parameter* names = p_->find("materials", {"string"});
-        const double amount = textures_.number(*p_, "amount").value_or(0.5);
-        const int64_t part =
-            names && names->texts.size() == 2 ? find_(names->texts[amount < 0.5 ? 0 : 1]) : -1;
-        if (part < 0 || depth == DEEPEST) {
+        const Textured amount = textures_.color(*p_, "amount").value_or(Textured{glm::vec3(0.5f)});
+        std::array<int64_t, 2> parts{-1, -1};
+        for (size_t i = 0; names && names->texts.size() == 2 && i < 2; ++i)
+            parts[i] = find_(names->texts[i]);
+        if (parts[0] < 0 || parts[1] < 0 || depth == DEEPEST) {
             notes_.wrong("Mixtures of materials that are not defined are diffuse grey", m_.name);
             m_.base_color = glm::vec3(0.5f);
             return m_;
         }
-        notes_.add("Of mixed materials the one that counts more is shown", m_.name);
-        Material material = convert(all_[size_t(part)], depth + 1);
+        if (depth > 0) notes_.add("Of mixtures within mixtures the first part is shown", m_.name);
+        const Material second = convert(all_[size_t(parts[1])], depth + 1);
+        Material material = convert(all_[size_t(parts[0])], depth + 1);
         material.name = source.name;
+        if (depth > 0) return material;
+        other_ = second;
+        material.blend = std::clamp(amount.factor.x, 0.0f, 1.0f);
+        material.blend_texture = amount.texture;
         return material;
     }
 
@@ -179,27 +215,27 @@ class Converter {
     const Sources& sources_;
     const Parameters* p_ = nullptr;
     Material m_;
+    std::optional<Material> other_;
 };
 
 std::span<const Converter::Kind> Converter::kinds() {
     static const Kind KINDS[] = {
         {"diffuse", &Converter::diffuse, "`diffuse`", ""},
         {"coateddiffuse", &Converter::coated_diffuse,
-         "`metallic-roughness` without metal: a coat of index 1.5, with a note",
-         "Coated diffuse materials have the base and the coat of glTF's, of index 1.5"},
+         "`metallic-roughness` without metal, whose coat has the index and sends light back to its "
+         "body",
+         ""},
         {"conductor", &Converter::conductor,
-         "`conductor` of the reflectance at normal incidence that its spectra or its metal's name "
-         "say",
+         "`conductor` of the reflectances, head on and at the edge, that its spectra or its "
+         "metal's "
+         "name say",
          ""},
         {"coatedconductor", &Converter::coated_conductor,
-         "`conductor` without the coat, with a note", "Conductors go without their coat"},
+         "`metallic-roughness`, all metal, with `clearcoat`, of index 1.5", ""},
         {"dielectric", &Converter::dielectric, "`dielectric`", ""},
-        {"thindielectric", &Converter::thin_dielectric,
-         "a mirror that lets rays pass as often as the pane does at normal incidence, with a note",
-         "Thin dielectrics reflect the same share at every angle"},
+        {"thindielectric", &Converter::thin_dielectric, "`dielectric` with `thin_walled`", ""},
         {"diffusetransmission", &Converter::diffuse_transmission,
-         "`diffuse`, of its reflectance alone, with a note",
-         "Diffuse materials that let light through only reflect"},
+         "`metallic-roughness` with `diffuse_transmission`, without its coat", ""},
         {"subsurface", &Converter::subsurface, "`diffuse`, with a note",
          "Subsurface scattering is diffuse reflection"},
         {"hair", &Converter::hair, "`diffuse`, with a note",
@@ -213,16 +249,19 @@ std::span<const Converter::Kind> Converter::kinds() {
 
 } // namespace
 
-Material convert_material(const MaterialSource& source, const MaterialSources& all,
-                          const FindMaterial& find, Textures& textures, const Sources& sources) {
-    return Converter(all, find, textures, sources).convert(source);
+ConvertedMaterial convert_material(const MaterialSource& source, const MaterialSources& all,
+                                   const FindMaterial& find, Textures& textures,
+                                   const Sources& sources) {
+    Converter converter(all, find, textures, sources);
+    const Material material = converter.convert(source);
+    return {material, converter.other()};
 }
 
 std::vector<FileWord> material_words() {
     std::vector<FileWord> words;
     for (const Converter::Kind& kind : Converter::kinds())
         words.push_back({kind.kind, kind.becomes});
-    words.push_back({"mix", "of its two materials the one that counts more, with a note"});
+    words.push_back({"mix", "its first material, with `blend_with` the second"});
     return words;
 }
 

@@ -19,8 +19,14 @@ using MaterialSources = std::vector<MaterialSource>;
 /// Where a material of that name is, or -1.
 using FindMaterial = std::function<int64_t(const std::string&)>;
 
+struct ConvertedMaterial {
+    Material material;
+    std::optional<Material> other; ///< to blend it with
+};
+
 /// The material as the nearest that Onde has; what is not exact is noted.
-Material convert_material(const MaterialSource& source, const MaterialSources& all,
-                          const FindMaterial& find, Textures& textures, const Sources& sources);
+ConvertedMaterial convert_material(const MaterialSource& source, const MaterialSources& all,
+                                   const FindMaterial& find, Textures& textures,
+                                   const Sources& sources);
 
 } // namespace onde::pbrt

@@ -1,5 +1,7 @@
 #include "scene/pbrt/spectrum.h"
 
+#include "scene/measured.h"
+
 #include "core/error.h"
 #include "scene/text.h"
 
@@ -109,17 +111,20 @@ glm::vec3 light_color(const Spectrum& s) {
     return luminance > 0.0 ? glm::vec3(glm::max(color / luminance, 0.0)) : glm::vec3(0.0f);
 }
 
-glm::vec3 conductor_color(const Spectrum& eta, const Spectrum& k) {
-    if (!eta.rgb && !k.rgb)
-        return surface_color({.curve = [&](double wavelength) {
-            return spectrum::normal_reflectance(eta.curve(wavelength), k.curve(wavelength));
-        }});
+ConductorColors conductor_colors(const Spectrum& eta, const Spectrum& k) {
     const glm::dvec3 n = eta.rgb ? *eta.rgb : spectrum::color_of_surface(eta.curve);
     const glm::dvec3 absorbed = k.rgb ? *k.rgb : spectrum::color_of_surface(k.curve);
-    glm::vec3 color;
-    for (glm::length_t c = 0; c < 3; ++c)
-        color[c] = float(std::clamp(spectrum::normal_reflectance(n[c], absorbed[c]), 0.0, 1.0));
-    return color;
+    ConductorColors colors;
+    for (glm::length_t c = 0; c < 3; ++c) {
+        colors.normal[c] =
+            float(std::clamp(conductor_reflectance(1.0, n[c], absorbed[c]), 0.0, 1.0));
+        colors.edge_tint[c] = float(edge_tint(n[c], absorbed[c]));
+    }
+    if (!eta.rgb && !k.rgb)
+        colors.normal = surface_color({.curve = [&](double wavelength) {
+            return conductor_reflectance(1.0, eta.curve(wavelength), k.curve(wavelength));
+        }});
+    return colors;
 }
 
 double yellow_index(const Spectrum& eta) {

@@ -25,8 +25,11 @@ glm::vec3 surface_color(const Spectrum& spectrum);
 /// What emits it, not negative. Spectra are taken by their shape alone: their luminance is 1.
 glm::vec3 light_color(const Spectrum& spectrum);
 
-/// What a conductor reflects of light that meets it head on.
-glm::vec3 conductor_color(const Spectrum& eta, const Spectrum& k);
+/// What a conductor reflects of light that meets it head on, and Material::edge_tint.
+struct ConductorColors {
+    glm::vec3 normal, edge_tint;
+};
+ConductorColors conductor_colors(const Spectrum& eta, const Spectrum& k);
 
 /// One index of refraction for all colours.
 double yellow_index(const Spectrum& eta);

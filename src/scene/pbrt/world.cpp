@@ -198,16 +198,21 @@ void Reader::convert_looks() {
         const auto found = material_of_name_.find(name);
         return found == material_of_name_.end() ? -1 : int64_t(found->second);
     };
+    std::vector<Material>& materials = scene_.assets().materials;
     for (const auto& [look, index] : looks_) {
-        Material material =
+        auto [material, other] =
             convert_material(materials_[look.material], materials_, find, textures_, sources_);
+        if (other) {
+            material.blend_with = uint32_t(materials.size());
+            materials.push_back(std::move(*other));
+        }
         if (look.area_light >= 0) {
             const AreaLight& light = area_lights_[size_t(look.area_light)];
             material.emission = light.radiance;
             material.two_sided = light.two_sided;
         }
         add_opacity(look, material);
-        scene_.assets().materials[index] = std::move(material);
+        materials[index] = std::move(material);
     }
 }
 

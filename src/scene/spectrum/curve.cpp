@@ -44,9 +44,4 @@ Function black_body(double kelvin) {
     return [planck, most](double wavelength) { return planck(wavelength) / most; };
 }
 
-double normal_reflectance(double eta, double k) {
-    const double less = (eta - 1.0) * (eta - 1.0), more = (eta + 1.0) * (eta + 1.0);
-    return (less + k * k) / (more + k * k);
-}
-
 } // namespace onde::spectrum

@@ -41,7 +41,4 @@ struct Index {
 /// Of a conductor by its chemical symbol: "Ag", "Al", "Au", "Cr", "Cu".
 std::optional<Index> conductor_index(std::string_view symbol);
 
-/// What a conductor reflects of light that meets it head on, under vacuum or another medium.
-double normal_reflectance(double eta, double k);
-
 } // namespace onde::spectrum

@@ -37,6 +37,8 @@ class TomlScene {
     void read_camera(const TableReader& table);
     /// All of it but its textures.
     void read_material(const TableReader& table);
+    /// Which of them are blended with which.
+    void read_blends(const TableReader& root);
     /// Those of the materials that something in the scene has.
     void read_textures(const TableReader& root);
     void read_environment(const TableReader& root);

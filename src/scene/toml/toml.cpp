@@ -56,6 +56,7 @@ Scene TomlScene::read(const TableReader& root) {
     for (const TableReader& lesson : root.tables("lesson"))
         scene_.chapter.lesson = read_lesson(lesson);
     for (const TableReader& material : root.tables("material")) read_material(material);
+    read_blends(root);
     read_places(root);
     scene_.origin = origin_of(extent_of(scene_));
     if (scene_.origin != glm::dvec3(0.0)) {
@@ -151,6 +152,10 @@ static std::vector<bool> shown_materials(const Scene& scene) {
     for (const Sphere& sphere : scene.spheres) shown[sphere.material] = true;
     for (const Shape& shape : scene.shapes) shown[shape.material] = true;
     for (const AreaLight& light : scene.chapter.area_lights) shown[light.material] = true;
+    const std::vector<bool> placed_ones = shown;
+    for (size_t i = 0; i < placed_ones.size(); ++i)
+        if (const auto other = scene.materials[i].blend_with; other && placed_ones[i])
+            shown[*other] = true;
     return shown;
 }
 
@@ -216,6 +221,20 @@ void TomlScene::read_material(const TableReader& table) {
     if (!material_of_name_.try_emplace(m.name, index).second)
         table.fail("name", fmt::format("'{}' is taken by an earlier material", m.name));
     scene_.materials.push_back(std::move(m));
+}
+
+void TomlScene::read_blends(const TableReader& root) {
+    size_t i = 0;
+    for (const TableReader& table : root.tables("material")) {
+        Material& material = scene_.materials[i++];
+        const auto name = table.text("blend_with");
+        if (!name) continue;
+        const auto found = material_of_name_.find(*name);
+        if (found == material_of_name_.end())
+            table.fail("blend_with", fmt::format("names '{}', which no material is called", *name));
+        if (found->second + 1 == i) table.fail("blend_with", "must name another material");
+        material.blend_with = found->second;
+    }
 }
 
 void TomlScene::read_environment(const TableReader& root) {

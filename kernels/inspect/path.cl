@@ -70,20 +70,21 @@ __kernel void inspect_path(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS,
         report3(report->light_direction, v.connection.direction);
         report->light_distance = v.connection.distance;
         report3(report->light_radiance, v.connection.value);
-        report->blocked = v.connection.distance > 0.0f &&
-                          trace_occluded(view.bvh, v.connection.origin, v.connection.direction,
-                                         v.connection.distance, 1u);
+        report->blocked =
+            v.connection.distance > 0.0f &&
+            (ONDE_MEDIA || trace_occluded(view.bvh, v.connection.origin, v.connection.direction,
+                                          v.connection.distance, 1u));
         real3 arrives = report->blocked ? zero3() : v.connection.value;
 #if ESTIMATOR_TRANSLUCENT
         if (report->blocked) {
-    #if ESTIMATOR_UNBENT
-            const mask unbent = v.connection.unbent != 0u;
+    #if ESTIMATOR_WAYS
+            const natural way = v.connection.way;
     #else
-            const mask unbent = 0;
+            const natural way = 0u;
     #endif
             const real3 through =
                 estimator_transmittance(e, v.connection.origin, v.connection.direction,
-                                        v.connection.distance, unbent, (mask)(1));
+                                        v.connection.distance, way, (mask)(1));
             report->blocked = !nonzero3(through);
             arrives = mul3(v.connection.value, through);
             report3(report->light_radiance, arrives);

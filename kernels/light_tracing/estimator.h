@@ -8,10 +8,10 @@
 
 #define ESTIMATOR_TREE 0
 #define ESTIMATOR_EMITS 0
-#define ESTIMATOR_TRANSLUCENT (ONDE_SEEN_THROUGH || ONDE_PANES)
+#define ESTIMATOR_TRANSLUCENT (ONDE_SEEN_THROUGH || ONDE_PANES || ONDE_MEDIA)
 #define ESTIMATOR_CONNECTS_START 1
 #define ESTIMATOR_SPLATS 1
-#define ESTIMATOR_UNBENT 0
+#define ESTIMATOR_WAYS 0
 #define ESTIMATOR_COLUMNS LIGHT_STATE
 #define ESTIMATOR_CONNECTIONS SPLAT_COLUMNS
 
@@ -63,9 +63,9 @@ INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint 
 // Connections show the scene to the camera, which looks against them; only those of the environment
 // run with its sight.
 INLINE real3 estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
-                                     mask unbent, mask lanes) {
+                                     natural way, mask lanes) {
     const real3 seen = choose(distance < INFINITE_DISTANCE, negate3(direction), direction);
-    return ray_transmittance(e.view, origin, direction, distance, seen, lanes, unbent, lanes);
+    return ray_transmittance(e.view, origin, direction, distance, seen, lanes, way, lanes);
 }
 #endif
 

@@ -19,10 +19,15 @@
 #define DIMENSION_DIRECTION 2u // of the BSDF
 #define DIMENSION_ROULETTE 3u  // y: which of the surfaces that let rays pass ends the next ray
 #define DIMENSIONS_PER_BOUNCE 4u
+#define DIMENSION_MEDIA 0x20000000u      // and bounce: what a ray meets on its way
 #define DIMENSION_WAVELENGTH 0x3fffffffu // of light that is dispersed; no bounce has it
 
 INLINE uint bounce_dimension(uint bounce, uint which) {
     return DIMENSION_BOUNCES + bounce * DIMENSIONS_PER_BOUNCE + which;
+}
+
+INLINE uint media_dimension(uint bounce) {
+    return DIMENSION_MEDIA + bounce;
 }
 
 // PCG-RXS-M-XS as a hash (Jarzynski and Olano 2020, Hash Functions for GPU Rendering).

@@ -69,17 +69,21 @@ INLINE void connect_lanes(Estimator e, FilmView film, Connection c, natural id, 
     const uint tested = mask_bits(lanes & (c.distance > 0.0f));
     if (!tested) return;
     count_rays(e.job.counters, COUNTER_SHADOW, vertex, popcount(tested));
+#if ONDE_MEDIA // which are asked on all ways
+    uint open = 0;
+#else
     uint open = tested & ~trace_occluded(e.view.bvh, c.origin, c.direction, c.distance, tested);
+#endif
 #if ESTIMATOR_TRANSLUCENT
     const mask dim = mask_from_bits(tested & ~open);
     if_any (dim) {
-    #if ESTIMATOR_UNBENT
-        const mask unbent = c.unbent != 0u;
+    #if ESTIMATOR_WAYS
+        const natural way = c.way;
     #else
-        const mask unbent = dim & !dim;
+        const natural way = (natural)(0u);
     #endif
         const real3 through =
-            estimator_transmittance(e, c.origin, c.direction, c.distance, unbent, dim);
+            estimator_transmittance(e, c.origin, c.direction, c.distance, way, dim);
         c.value = choose(dim, mul3(c.value, through), c.value);
         open |= mask_bits(dim & nonzero3(through));
     }

@@ -28,10 +28,11 @@ INLINE void answer(Estimator e, Connections* c, uint groups) {
     for (uint g = 0; g < groups; g++) {
         const mask dim = mask_from_bits(blocked >> g * ONDE_WIDTH);
         if (!mask_bits(dim)) continue;
-        const real through = estimator_transmittance(
-                                 e, group_origin(&c->ways, g), group_direction(&c->ways, g),
-                                 unspill_real(c->ways.distance + g * ONDE_WIDTH), dim & !dim, dim)
-                                 .x;
+        const real through =
+            estimator_transmittance(e, group_origin(&c->ways, g), group_direction(&c->ways, g),
+                                    unspill_real(c->ways.distance + g * ONDE_WIDTH), (natural)(0u),
+                                    dim)
+                .x;
         const real before = unspill_real(arrives + g * ONDE_WIDTH);
         spill_real(arrives + g * ONDE_WIDTH, choose(dim, through, before));
     }

@@ -11,17 +11,17 @@
 #define ESTIMATOR_TRANSLUCENT (ONDE_ALPHA || ONDE_STRAIGHT)
 #define ESTIMATOR_CONNECTS_START 0
 #define ESTIMATOR_SPLATS 0
-#define ESTIMATOR_UNBENT ONDE_UNBENT
+#define ESTIMATOR_WAYS ONDE_WAYS
 #define ESTIMATOR_COLUMNS PATH_STATE
 #if ONDE_TRAIL
     #define PATH_SHARES SHARE_COLUMNS
 #else
     #define PATH_SHARES NO_COLUMNS
 #endif
-#if ONDE_UNBENT
-    #define PATH_UNBENT UNBENT_COLUMNS
+#if ONDE_WAYS
+    #define PATH_WAY WAY_COLUMNS
 #else
-    #define PATH_UNBENT NO_COLUMNS
+    #define PATH_WAY NO_COLUMNS
 #endif
 #if ONDE_GROUPS
     #define PATH_TARGET TARGET_COLUMNS
@@ -31,7 +31,7 @@
 #define ESTIMATOR_CONNECTIONS(VECTOR, REAL, NATURAL)                                               \
     CONNECTION_COLUMNS(VECTOR, REAL, NATURAL)                                                      \
     PATH_TARGET(VECTOR, REAL, NATURAL)                                                             \
-    PATH_SHARES(VECTOR, REAL, NATURAL) PATH_UNBENT(VECTOR, REAL, NATURAL)
+    PATH_SHARES(VECTOR, REAL, NATURAL) PATH_WAY(VECTOR, REAL, NATURAL)
 typedef Path State;
 typedef PathVertex Step;
 
@@ -83,8 +83,8 @@ INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint 
 
 #if ESTIMATOR_TRANSLUCENT
 INLINE real3 estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
-                                     mask unbent, mask lanes) {
-    return ray_transmittance(e.view, origin, direction, distance, direction, lanes & !lanes, unbent,
+                                     natural way, mask lanes) {
+    return ray_transmittance(e.view, origin, direction, distance, direction, lanes & !lanes, way,
                              lanes);
 }
 #endif

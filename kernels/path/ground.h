@@ -67,8 +67,9 @@ OUTLINED Ground ground_at(SceneView view, real3 origin, real3 direction, real ch
     const real share = choose(blocked, light.direction.y / light.pdf, (real)(0.0f));
     g.kept = mul3(scale3(light.radiance, share), uniform3(view.frame->ground_share));
     #if ONDE_ALPHA || ONDE_STRAIGHT
-    const real3 through = ray_transmittance(view, g.position, light.direction, light.distance,
-                                            light.direction, lanes & !lanes, light.delta, blocked);
+    const real3 through = ray_transmittance(
+        view, g.position, light.direction, light.distance, light.direction, lanes & !lanes,
+        choose(light.delta, (natural)(WAY_UNBENT), (natural)(MEDIUM_AROUND)), blocked);
     g.kept = mul3(g.kept, sub3(splat3((real)(1.0f)), through));
     #endif
     return g;

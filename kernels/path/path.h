@@ -38,12 +38,21 @@
 #else
     #define PATH_WAVE NO_COLUMNS
 #endif
+#if ONDE_MEDIA
+    #define PATH_MEDIA MEDIA_COLUMNS
+#else
+    #define PATH_MEDIA NO_COLUMNS
+#endif
 #define PATH_STATE(VECTOR, REAL, NATURAL)                                                          \
     PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                            \
     PATH_TRAIL(VECTOR, REAL, NATURAL)                                                              \
     PATH_RECEIVER(VECTOR, REAL, NATURAL)                                                           \
-    PATH_PANES(VECTOR, REAL, NATURAL) PATH_WAVE(VECTOR, REAL, NATURAL)
+    PATH_PANES(VECTOR, REAL, NATURAL)                                                              \
+    PATH_WAVE(VECTOR, REAL, NATURAL) PATH_MEDIA(VECTOR, REAL, NATURAL)
 COLUMNS_TYPE(Path, PATH_STATE);
+#if ONDE_MEDIA
+COLUMNS_CHOICE(Path, PATH_STATE)
+#endif
 
 typedef struct {
     real3 emitted;         // radiance found at this vertex
@@ -74,6 +83,9 @@ INLINE Path path_start(__global const FrameRecord* frame, natural pixel, Sampler
 #endif
 #if ONDE_DISPERSION
     path.dispersed = (natural)(0u);
+#endif
+#if ONDE_MEDIA
+    path.media = (natural)(MEDIUM_AROUND);
 #endif
 #if ONDE_LIGHT_TREE
     path.normal = zero3();
@@ -158,8 +170,12 @@ INLINE Connection path_connection(SceneView view, Path path, Vertex v, Sampler s
     ray.distance = choose(finite, length * SHADOW_SHORTENING, (real)(INFINITE_DISTANCE));
     ray.distance = choose(useful, ray.distance, (real)(0.0f));
     ray.target = light.group;
-#if ONDE_UNBENT
-    ray.unbent = one_for(light.delta);
+#if ONDE_WAYS
+    ray.way = choose(light.delta, (natural)(WAY_UNBENT), (natural)(0u));
+    #if ONDE_MEDIA
+    const natural beyond = media_beyond(view, path.media, v.surface.material, v.surface.front);
+    ray.way |= choose(wi.z < 0.0f, beyond, path.media);
+    #endif
 #endif
 #if ONDE_TRAIL
     ray.diffuse = path.diffuse;
@@ -318,6 +334,10 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
 #if ONDE_LIGHT_TREE
     result.next.normal = vertex_receiver(v).normal;
 #endif
+#if ONDE_MEDIA
+    const natural beyond = media_beyond(view, path.media, v.surface.material, v.surface.front);
+    result.next.media = choose(s.wi.z < 0.0f, beyond, path.media);
+#endif
 #if ONDE_PANES
     result.next.pdf = choose(s.straight, path.pdf, result.next.pdf);
     result.next.passed = choose(s.straight, path.passed + v.t, (real)(0.0f));
@@ -341,14 +361,94 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     return result;
 }
 
+#if ONDE_MEDIA
+// The paths in `lanes`, which are scattered on their way: at a distance along it.
+INLINE void path_scatter(SceneView view, Path path, real at, Sampler sampler, uint bounce,
+                         mask lanes, PathVertex* result) {
+    if (!mask_bits(lanes)) return;
+    const real3 position = madd3(path.direction, at, path.origin);
+    const natural medium = medium_within(path.media);
+    const real anisotropy = RECORD(view.media, medium, MediumRecord, anisotropy);
+    #if ONDE_AOVS
+    const real3 color = guide_color(path.throughput);
+    result->aovs.alpha = choose(lanes, splat3((real)(1.0f)), result->aovs.alpha);
+    #endif
+    #if ONDE_TRAIL
+    const mask guided = lanes & (path.mirrored != 0u);
+    result->aovs.denoise_albedo = choose(guided, color, result->aovs.denoise_albedo);
+    result->guided = result->guided | guided;
+    #endif
+    if (bounce + 1 >= view.frame->max_depth) return;
+    const real2 choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE));
+    if (view.frame->light_count > 0) {
+        const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT));
+        const LightSample light =
+            light_sample(view, receiver_at(position, zero3()), choice.x, u, lanes);
+        const real phase = phase_value(dot3(light.direction, path.direction), anisotropy);
+        const real weight =
+            choose(light.delta, (real)(1.0f), power_heuristic(light.pdf, phase)) / light.pdf;
+        Connection ray = no_connection();
+        ray.value = mul3(path.throughput, scale3(light.radiance, weight * phase));
+        const mask useful = lanes & light.valid & nonzero3(light.radiance);
+        ray.origin = position;
+        ray.direction = light.direction;
+        const mask finite = light.distance < INFINITE_DISTANCE;
+        ray.distance = choose(finite, light.distance * SHADOW_SHORTENING, light.distance);
+        ray.distance = choose(useful, ray.distance, (real)(0.0f));
+        ray.target = light.group;
+        ray.way = choose(light.delta, (natural)(WAY_UNBENT), (natural)(0u)) | path.media;
+    #if ONDE_TRAIL
+        ray.diffuse = bounce == 0 ? splat3((real)(1.0f)) : path.diffuse;
+        ray.transmitted = bounce == 0 ? (real)(0.0f) : path.transmitted;
+    #endif
+        result->connection = choose(lanes, ray, result->connection);
+    }
+    Path next = path;
+    next.origin = position;
+    next.direction =
+        phase_sample(path.direction, anisotropy,
+                     sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_DIRECTION)));
+    next.pdf = phase_value(dot3(next.direction, path.direction), anisotropy);
+    #if ONDE_LIGHT_TREE
+    next.normal = zero3();
+    #endif
+    #if ONDE_PANES
+    next.passed = (real)(0.0f);
+    #endif
+    #if ONDE_TRAIL
+    next.mirrored = (natural)(0u);
+    if (bounce == 0) {
+        next.diffuse = splat3((real)(1.0f));
+        next.transmitted = (real)(0.0f);
+    }
+    #endif
+    mask alive = lanes & nonzero3(next.throughput);
+    if (bounce >= view.frame->roulette_start) alive = path_roulette(&next, sampler, bounce, alive);
+    result->alive = result->alive | alive;
+    result->next = choose(lanes, next, result->next);
+}
+#endif
+
 // One vertex of the paths in `lanes`: `hit` is what their rays met. `bounce` counts from 0 at the
 // first surface.
 OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sampler, uint bounce,
                                 mask lanes) {
-    PathVertex result = path_surface(view, path, hit, sampler, bounce, lanes);
+    mask arrived = lanes;
+#if ONDE_MEDIA
+    const mask seen = hit.primitive != BVH_NONE;
+    const MediumEvent event = medium_event(
+        view, medium_within(path.media), choose(seen, hit.t, (real)(INFINITE_DISTANCE)),
+        path.throughput, sampler_pair(sampler, media_dimension(bounce)), lanes);
+    path.throughput = mul3(path.throughput, event.weight);
+    arrived = lanes & !event.scattered;
+#endif
+    PathVertex result = path_surface(view, path, hit, sampler, bounce, arrived);
+#if ONDE_MEDIA
+    path_scatter(view, path, event.at, sampler, bounce, event.scattered, &result);
+#endif
 #if ONDE_GROUND
     result.tested = 0;
-    const mask missed = lanes & (hit.primitive == BVH_NONE);
+    const mask missed = arrived & (hit.primitive == BVH_NONE);
     path_ground(view, path, sampler, bounce, missed, &result);
 #endif
     return result;

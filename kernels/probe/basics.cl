@@ -3,6 +3,7 @@
 #include "math/sampling.h"
 #include "probe/probe.h"
 #include "shade/fresnel.h"
+#include "shade/phase.h"
 
 // In: value, condition, index into the values. Out: the group's bits; the condition from them;
 // whether any lane's holds; the value at the index.
@@ -81,4 +82,12 @@ PROBE(heuristic) {
 PROBE(fresnel) {
     output(items, 0, fresnel_dielectric(input(items, 0), input(items, 1)));
     output(items, 1, fresnel_schlick(input3(items, 2), input(items, 5), input(items, 0)));
+}
+
+// In: direction on (3), anisotropy, u (2). Out: direction, its density.
+PROBE(phase) {
+    const real3 on = input3(items, 0);
+    const real3 to = phase_sample(on, input(items, 3), input2(items, 4));
+    output(items, 0, to);
+    output(items, 3, phase_value(dot3(on, to), input(items, 3)));
 }

@@ -137,6 +137,7 @@
     OFFSET(MaterialRecord, albedos)                                                                \
     OFFSET(MaterialRecord, other)                                                                  \
     OFFSET(MaterialRecord, blocks)                                                                 \
+    OFFSET(MaterialRecord, medium)                                                                 \
     OFFSET(MaterialRecord, absorption)                                                             \
     OFFSET(MaterialRecord, grain)                                                                  \
     OFFSET(MaterialRecord, base_color)                                                             \
@@ -167,6 +168,11 @@
     OFFSET(MaterialRecord, alpha)                                                                  \
     OFFSET(MaterialRecord, alpha_cutoff)                                                           \
     OFFSET(MaterialRecord, texture)                                                                \
+    SIZE(MediumRecord)                                                                             \
+    OFFSET(MediumRecord, extinction)                                                               \
+    OFFSET(MediumRecord, scattering)                                                               \
+    OFFSET(MediumRecord, anisotropy)                                                               \
+    OFFSET(MediumRecord, unused)                                                                   \
     SIZE(VertexRecord)                                                                             \
     OFFSET(VertexRecord, normal)                                                                   \
     OFFSET(VertexRecord, uv)                                                                       \

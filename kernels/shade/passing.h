@@ -98,10 +98,9 @@ OUTLINED Hits pass_surfaces(SceneView view, real3 origin, real3 direction, Hits 
 }
 
 // How much of the light comes through from the origins to `distance`, for connections in `lanes`;
-// nothing in the others. seen, culls: as in hit_opacity. unbent: lanes whose light passes smooth
-// solids.
+// nothing in the others. seen, culls: as in hit_opacity. way: as of Connection.
 OUTLINED real3 ray_transmittance(SceneView view, real3 origin, real3 direction, real distance,
-                                 real3 seen, mask culls, mask unbent, mask lanes) {
+                                 real3 seen, mask culls, natural way, mask lanes) {
     Hits hits;
     hits.t = hits.u = hits.v = (real)(0.0f);
     hits.primitive = hits.instance = (natural)(0u);
@@ -110,13 +109,24 @@ OUTLINED real3 ray_transmittance(SceneView view, real3 origin, real3 direction, 
     for (uint passed = 0; passed < MOST_PASSED; passed++) {
         const real before = hits.t;
         hits = trace_behind(view.bvh, origin, direction, distance, hits, mask_bits(open));
+    #if ONDE_MEDIA
+        const real length = choose(hits.primitive != BVH_NONE, hits.t, distance) - before;
+        const real3 inside = transmittance_of(medium_extinction(view, medium_within(way)), length);
+        through = choose(open, mul3(through, inside), through);
+    #endif
         open = open & (hits.primitive != BVH_NONE);
         if (!mask_bits(open)) return through;
         const real opacity = hit_opacity(view, hits, seen, culls, open);
         real3 left = splat3(1.0f - opacity);
     #if ONDE_STRAIGHT
-        left = madd3(straight_transmittance(view, origin, direction, hits, unbent, before, open),
+        const Surface s = surface_at(view, origin, direction, hits, open);
+        const mask unbent = (way & WAY_UNBENT) != 0u;
+        left = madd3(straight_transmittance(view, s, direction, hits.t - before, unbent, open),
                      opacity, left);
+    #endif
+    #if ONDE_MEDIA
+        const natural beyond = media_beyond(view, way & ~WAY_UNBENT, s.material, s.front);
+        way = choose(open, (way & WAY_UNBENT) | beyond, way);
     #endif
         through = choose(open, mul3(through, left), through);
         open = open & nonzero3(through);

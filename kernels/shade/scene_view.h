@@ -105,7 +105,17 @@
 #ifndef ONDE_ABSORPTION
     #define ONDE_ABSORPTION 0
 #endif
-#define ONDE_STRAIGHT (ONDE_PANES || ONDE_UNBENT)
+// Whether light meets media on its way; they do what solids absorb, too.
+#ifndef ONDE_MEDIA
+    #define ONDE_MEDIA 0
+#endif
+#if ONDE_MEDIA
+    #undef ONDE_ABSORPTION
+    #define ONDE_ABSORPTION 0
+#endif
+#define ONDE_STRAIGHT (ONDE_PANES || ONDE_UNBENT || ONDE_MEDIA)
+// Whether connections say how they go.
+#define ONDE_WAYS (ONDE_UNBENT || ONDE_MEDIA)
 // Bits LOBE_..., of what some material has and of what all have; MATERIAL_... and LIGHT_...
 #ifndef ONDE_LOBES
     #define ONDE_LOBES 0xffffffffu

@@ -4,6 +4,7 @@
 #define ONDE_SHADE_STRAIGHT_H
 
 #include "shade/material.h"
+#include "shade/media.h"
 
 #if ONDE_ABSORPTION
 // What is left of light that has come as far as `t` to a surface, inside of what it is the surface
@@ -18,10 +19,9 @@ INLINE real3 solid_transmittance(SceneView view, Surface s, real t) {
 
 #if ONDE_STRAIGHT
 // How much goes through the surfaces that rays in `lanes` have hit; nothing in other lanes. unbent:
-// lanes whose light passes solids. before: where the rays have come in, if they come from inside.
-INLINE real3 straight_transmittance(SceneView view, real3 origin, real3 direction, Hits hits,
-                                    mask unbent, real before, mask lanes) {
-    const Surface s = surface_at(view, origin, direction, hits, lanes);
+// lanes whose light passes solids. length: of the way inside, if the rays come from there.
+INLINE real3 straight_transmittance(SceneView view, Surface s, real3 direction, real length,
+                                    mask unbent, mask lanes) {
     const real cosine = clamp_real(-dot3(direction, s.normal), 1e-4f, 1.0f);
     const real3 wo = make3(safe_sqrt(1.0f - cosine * cosine), (real)(0.0f), cosine);
     const MaterialPoint m = material_point(view, s, wo);
@@ -42,7 +42,7 @@ INLINE real3 straight_transmittance(SceneView view, real3 origin, real3 directio
     reflectance = choose(solid, fresnel_dielectric(cosine, max_real(ior, 1.0f / ior)), reflectance);
     thin = thin | solid;
         #if ONDE_ABSORPTION
-    left = choose(solid, solid_transmittance(view, s, hits.t - before), left);
+    left = choose(solid, solid_transmittance(view, s, length), left);
         #endif
     #endif
     const real share = choose(thin, clear_share(m) * (1.0f - reflectance), (real)(0.0f));

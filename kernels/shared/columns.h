@@ -24,6 +24,9 @@
 #ifndef ONDE_PANES
     #define ONDE_PANES 0
 #endif
+#ifndef ONDE_MEDIA
+    #define ONDE_MEDIA 0
+#endif
 #ifndef ONDE_DISPERSION
     #define ONDE_DISPERSION 0
 #endif
@@ -46,6 +49,9 @@
 // And where there are panes: how far it has come straight through them.
 #define PANE_COLUMNS(VECTOR, REAL, NATURAL) REAL(passed)
 
+// And where light meets media: the one that it is in, and the one around that; see shade/media.h.
+#define MEDIA_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(media)
+
 // And where glass disperses light: whether it has one wavelength only.
 #define WAVE_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(dispersed)
 
@@ -66,12 +72,12 @@
     REAL(t) REAL(u) REAL(v) NATURAL(primitive) NATURAL(instance)
 
 // A connection whose value is for its own path. Behind that may stand its target, a pixel or a
-// group of lights, then shares of its light, then whether solid glass lets it pass.
+// group of lights, then shares of its light, then how it goes.
 #define CONNECTION_COLUMNS(VECTOR, REAL, NATURAL)                                                  \
     VECTOR(origin) VECTOR(direction) REAL(distance) VECTOR(value)
 #define TARGET_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(target)
 #define SHARE_COLUMNS(VECTOR, REAL, NATURAL) VECTOR(diffuse) REAL(transmitted)
-#define UNBENT_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(unbent)
+#define WAY_COLUMNS(VECTOR, REAL, NATURAL) NATURAL(way)
 #define NO_COLUMNS(VECTOR, REAL, NATURAL)
 #define SPLAT_COLUMNS(VECTOR, REAL, NATURAL)                                                       \
     CONNECTION_COLUMNS(VECTOR, REAL, NATURAL) TARGET_COLUMNS(VECTOR, REAL, NATURAL)

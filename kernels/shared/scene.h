@@ -100,12 +100,23 @@ typedef struct {
     uint albedos;        // of rough glass: the first word of its table of directional albedos
     uint other;          // the material that it is blended with, or NO_INDEX
     uint blocks;         // whether it, smooth glass, blocks light that only straight ways reach
+    uint medium;         // inside of it: index of a MediumRecord, or NO_INDEX where nothing is
     float absorption[3]; // inside of it: halvings per unit of length
     float grain[2];      // cosine and sine of anisotropy_rotation
     MATERIAL_COLORS(COLOR_MEMBER)
     MATERIAL_NUMBERS(NUMBER_MEMBER)
     uint texture[TEXTURE_COUNT]; // by slot: index of a TextureRecord, or NO_INDEX
 } MaterialRecord;
+
+// What absorbs and scatters light: rates per unit of length.
+typedef struct {
+    float extinction[3]; // by both
+    float scattering[3];
+    float anisotropy; // of Henyey and Greenstein's phase function
+    float unused;
+} MediumRecord;
+#define MEDIUM_AROUND 0u // the index of what is outside of all; behind it those inside of materials
+#define MOST_MEDIA 0x7fffu
 
 #define LIGHT_UNLISTED 0xfffffffeu // emits too little to be worth sampling; rays may find it
 
@@ -277,6 +288,7 @@ typedef struct {
 // octahedral, with the lowest bit replaced by the sign of the bitangent.
 // bulges: by surface, of scenes with curved triangles; see src/upload/bulge.h.
 // albedos: tables of shared/albedo.h; the first is that of reflection.
+// media: of scenes that have some; the first is what is around everything.
 // spectrum: of scenes that disperse light; see shared/spectrum.h.
 // srgb: 256 entries, from 8-bit sRGB to linear. environment: 3 floats per pixel.
 // environment_alias: MAP_TABLES entries per pixel.
@@ -288,6 +300,7 @@ typedef struct {
     BUFFER(uint, colors, "vertex colours")                                                         \
     BUFFER(uint, tangents, "tangents")                                                             \
     BUFFER(MaterialRecord, materials, "materials")                                                 \
+    BUFFER(MediumRecord, media, "media")                                                           \
     BUFFER(uint, albedos, "directional albedos")                                                   \
     BUFFER(SpectrumKnot, spectrum, "spectrum of dispersed light")                                  \
     BUFFER(LightRecord, lights, "lights")                                                          \

@@ -19,7 +19,7 @@ INLINE void count_tree_rays(WaveJob job, uint row, WaveView wave, uint i, mask l
 }
 
 #define CONNECTION_TARGET COLUMN_COUNT(CONNECTION_COLUMNS)
-#define CONNECTION_UNBENT (COLUMN_COUNT(ESTIMATOR_CONNECTIONS) - 1)
+#define CONNECTION_WAY (COLUMN_COUNT(ESTIMATOR_CONNECTIONS) - 1)
 
 INLINE float3 word3(Columns c, uint k, uint i) {
     return (float3)(*column(c, k, i), *column(c, k + 1, i), *column(c, k + 2, i));
@@ -44,15 +44,15 @@ INLINE uint find_transmittance(Estimator e, WaveView wave, const uint* slots, ui
             make3(unspill_real(words[0]), unspill_real(words[1]), unspill_real(words[2]));
         const real3 direction =
             make3(unspill_real(words[3]), unspill_real(words[4]), unspill_real(words[5]));
-        mask unbent = (mask)(0);
-    #if ESTIMATOR_UNBENT
-        float straight[ONDE_WIDTH];
+        natural way = (natural)(0u);
+    #if ESTIMATOR_WAYS
+        float ways[ONDE_WIDTH];
         for (uint i = 0; i < ONDE_WIDTH; i++)
-            straight[i] = *column(connections, CONNECTION_UNBENT, slots[place[min(i, count - 1)]]);
-        unbent = as_natural(unspill_real(straight)) != 0u;
+            ways[i] = *column(connections, CONNECTION_WAY, slots[place[min(i, count - 1)]]);
+        way = as_natural(unspill_real(ways));
     #endif
         const real3 through = estimator_transmittance(
-            e, origin, direction, unspill_real(words[RAY_DISTANCE]), unbent, lane_index() < count);
+            e, origin, direction, unspill_real(words[RAY_DISTANCE]), way, lane_index() < count);
         float x[ONDE_WIDTH], y[ONDE_WIDTH], z[ONDE_WIDTH];
         spill_real(x, through.x);
         spill_real(y, through.y);

@@ -92,7 +92,11 @@ INLINE mask pending_connections(WaveView wave, uint i, uint end) {
 
 INLINE void test_connections(Estimator e, WaveView wave, FilmView film, const uint* slots,
                              uint count, uint vertex) {
+#if ONDE_MEDIA // which are asked on all ways
+    uint blocked = ~0u >> (32u - count);
+#else
     uint blocked = occluded_slots(e.view.bvh, wave_connections(wave), slots, count);
+#endif
 #if ESTIMATOR_TRANSLUCENT
     float3 transmittance[OCCLUDED_SLOTS];
     for (uint k = 0; k < count; k++) transmittance[k] = (float3)(1.0f);

@@ -5,7 +5,7 @@
 //   ESTIMATOR_CONNECTS_START  a path has a connection before its first ray
 //   ESTIMATOR_SPLATS          connections go to any pixel, not to the path's own sum
 //   ESTIMATOR_TRANSLUCENT     what blocks a connection may let some of it through
-//   ESTIMATOR_UNBENT          connections say whether smooth solids do, in their last column
+//   ESTIMATOR_WAYS            connections say how they go, in their last column
 //   (ONDE_SEEN_THROUGH: rays may go on behind what they hit; estimator_pass says which)
 //   ESTIMATOR_TREE            vertices have several connections and children
 //

@@ -15,7 +15,8 @@ PathEstimator::PathEstimator(const RenderOptions& options, const SceneFeatures& 
     if (!options.light_groups.empty()) shape_.connection_columns += COLUMN_COUNT(TARGET_COLUMNS);
     if (scene.dispersion) shape_.state_columns += COLUMN_COUNT(WAVE_COLUMNS);
     if (scene.panes) shape_.state_columns += COLUMN_COUNT(PANE_COLUMNS);
-    if (scene.unbent) shape_.connection_columns += COLUMN_COUNT(UNBENT_COLUMNS);
+    if (scene.media) shape_.state_columns += COLUMN_COUNT(MEDIA_COLUMNS);
+    if (scene.unbent || scene.media) shape_.connection_columns += COLUMN_COUNT(WAY_COLUMNS);
     if ((options.aovs & (GUIDE_AOVS | LIGHT_AOVS)) == 0) return;
     shape_.defines.emplace_back("ONDE_TRAIL=1");
     shape_.state_columns += COLUMN_COUNT(TRAIL_COLUMNS);

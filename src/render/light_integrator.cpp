@@ -14,6 +14,8 @@ const IntegratorContext& checked(const IntegratorContext& context) {
     check_options(context.options);
     if (context.scene.packed().lights.empty())
         throw InputError("--integrator light starts at the lights, but nothing in the scene emits");
+    if (context.scene.packed().features.media)
+        throw InputError("--integrator light knows no media; take --integrator path");
     return context;
 }
 

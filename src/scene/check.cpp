@@ -241,7 +241,11 @@ void check_environment(const Scene& scene) {
 } // namespace
 
 void check_material(const Scene& scene, size_t i) {
-    check_fields(scene, scene.materials[i], "material", i, scene.materials[i].name);
+    const Material& m = scene.materials[i];
+    check_fields(scene, m, "material", i, m.name);
+    const bool mixed = m.kind == MaterialKind::metallic_roughness && m.transmission > 0.0f;
+    require(!m.medium || mixed || m.kind == MaterialKind::dielectric, "material", i, m.name,
+            "its medium needs a clear kind: dielectric, or metallic-roughness with transmission");
 }
 
 void check_camera(const Camera& camera, size_t i) {
@@ -274,6 +278,8 @@ void check_scene(const Scene& scene) {
     for (size_t i = 0; i < scene.shapes.size(); ++i) check_shape(scene, i);
     check_lights(scene);
     check_environment(scene);
+    if (const std::string of_medium = problem(scene, {}, scene.medium); !of_medium.empty())
+        throw InputError("medium: its {}", of_medium);
     light_groups(scene); // not too many
     for (size_t i = 0; i < scene.cameras.size(); ++i) check_camera(scene.cameras[i], i);
     const std::string text = problem(scene, {}, scene.settings);

@@ -110,6 +110,7 @@ std::string scene_hash(const Scene& scene) {
     for_each_light_list(scene,
                         [&](const auto& list, const auto&, const char*) { add(hasher, list); });
     add(hasher, scene.environment);
+    add(hasher, scene.medium);
     add(hasher, scene.cameras);
     add(hasher, scene.chapter.phong);
     for_each_light_list(scene, [&](const auto&, const auto& intensities, const char*) {

@@ -87,6 +87,13 @@ Sentences notes_of_light_transport(const Scene& scene) {
     return notes;
 }
 
+/// What only the path tracer knows.
+void note_media(const Scene& scene, Sentences& notes) {
+    const bool inside = std::ranges::any_of(scene.materials,
+                                            [](const Material& m) { return m.medium.has_value(); });
+    if (inside || scene.medium != Medium{}) notes.push_back("media were left out");
+}
+
 /// What light tracing and drawing leave out of materials.
 void note_left_out(const Scene& scene, bool alpha_too, Sentences& notes) {
     const auto any = [&](const auto& is) { return std::ranges::any_of(scene.materials, is); };
@@ -115,6 +122,7 @@ Sentences notes_of_whitted(const Scene& scene) {
         notes.push_back(fmt::format("{} spot lights were left out", scene.spot_lights.size()));
     if (scene.environment.map && !scene.chapter.whitted.ambient)
         notes.push_back("of the environment map the ambient light has its factor only");
+    note_media(scene, notes);
     if (has_lens(scene)) notes.push_back("the lens was taken as a pinhole");
     return notes;
 }
@@ -134,6 +142,7 @@ Sentences notes_of_raster(const Scene& scene) {
     if (!left_out.empty())
         notes.push_back(
             fmt::format("surfaces show their own colour; left out: {}", fmt::join(left_out, ", ")));
+    note_media(scene, notes);
     if (has_lens(scene)) notes.push_back("the lens was left out: all rays are parallel");
     note_left_out(scene, true, notes);
     return notes;

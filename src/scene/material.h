@@ -4,6 +4,7 @@
 #include "core/enum_words.h"
 #include "image/image.h"
 #include "scene/fields.h"
+#include "scene/medium.h"
 
 #include <glm/glm.hpp>
 
@@ -115,6 +116,7 @@ struct Material {
     bool thin_walled = false;  ///< what lets light through is a sheet: light is not bent
     glm::vec3 attenuation_color{1.0f}; ///< of white light after attenuation_distance inside
     std::optional<float> attenuation_distance{}; ///< in world units; nothing is absorbed without
+    std::optional<Medium> medium{}; ///< inside, beside that: of what is clear and closed
     GlassShadows shadows = GlassShadows::straight;
     float diffuse_transmission = 0.0f; ///< share of that half's body that scatters to the far side
     glm::vec3 diffuse_transmission_color{1.0f};
@@ -195,6 +197,7 @@ constexpr auto fields_of(TypeTag<Material>) {
               {.range = UNIT, .form = Form::color}),
         field("attenuation_distance", &M::attenuation_distance, "in units of the world",
               {.range = POSITIVE, .absent = "nothing is absorbed"}),
+        field("medium", &M::medium, "what scatters light inside of what is clear and closed"),
         field(
             "shadows", &M::shadows,
             "light of points, spots and directions, which never finds its way through smooth solid "

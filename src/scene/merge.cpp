@@ -198,6 +198,7 @@ void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
     }
     append_lights(whole, part, offsets, transform);
     for (const Camera& camera : part.cameras) whole.cameras.push_back(placed(camera, transform));
+    if (whole.medium == Medium{}) whole.medium = part.medium;
     if (!emits(whole.environment)) whole.environment = placed(part.environment, transform);
     take_missing(whole.settings, part.settings);
     take_whitted(whole, part.chapter);

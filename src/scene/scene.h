@@ -33,6 +33,7 @@ struct Scene {
     LIGHT_LISTS(ONDE_LIST)
 #undef ONDE_LIST
     Environment environment;
+    Medium medium;           ///< around everything, where nothing else is
     bool has_studio = false; ///< the environment is the studio that loading has added
     std::vector<Camera> cameras;
     std::optional<NextFrame> next{}; ///< of an animation, where it is asked for

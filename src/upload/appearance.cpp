@@ -4,6 +4,7 @@
 #include "scene/light_groups.h"
 #include "scene/phong.h"
 #include "upload/albedo_tables.h"
+#include "upload/media.h"
 #include "upload/spectrum_table.h"
 #include "upload/words.h"
 
@@ -87,8 +88,13 @@ static bool has_microfacets(const Material& m) {
     return is_rough_alpha(m.roughness) || m.anisotropy > 0;
 }
 
+/// The boundary of a medium that bends no light lets all of it through as a sheet does, which
+/// light from lights finds.
+static bool is_sheet(const Material& m) {
+    return m.thin_walled || (m.medium && std::abs(m.ior - 1) < 1e-4f);
+}
 static uint32_t clear_lobe(const Material& m) {
-    return bit(m.thin_walled ? LOBE_THIN : LOBE_DIELECTRIC);
+    return bit(is_sheet(m) ? LOBE_THIN : LOBE_DIELECTRIC);
 }
 
 uint32_t lobes_of(const Material& m) {
@@ -156,6 +162,8 @@ PackedMaterials pack_materials(const Scene& scene) {
     AlbedoTables albedos;
     AlphaModes alpha_modes(scene);
     const LightGroups groups(scene);
+    std::vector<uint32_t> inside(scene.materials.size(), NO_INDEX);
+    if (has_media(scene)) packed.media = pack_media(scene, inside);
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         const Material m = path_material(scene, i);
         MaterialRecord record{};
@@ -169,6 +177,7 @@ PackedMaterials pack_materials(const Scene& scene) {
         if (features.rough_glass) record.albedos = albedos.glass(m.ior);
         record.blocks = m.shadows == GlassShadows::opaque;
         copy(record.absorption, absorption_of(m));
+        record.medium = inside[i];
         record.other = m.blend_with.value_or(NO_INDEX);
         record.grain[0] = std::cos(m.anisotropy_rotation);
         record.grain[1] = std::sin(m.anisotropy_rotation);

@@ -33,6 +33,7 @@ MaterialFeatures features_of(const Material& material);
 
 struct PackedMaterials {
     std::vector<MaterialRecord> records;
+    std::vector<MediumRecord> media;    ///< empty where light meets nothing on its way
     std::vector<uint32_t> albedos;      ///< tables of shared/albedo.h
     std::vector<SpectrumKnot> spectrum; ///< empty where nothing disperses light
 };

@@ -16,7 +16,7 @@ namespace onde {
 
 std::vector<std::string> SceneFeatures::defines() const {
     std::vector<std::string> all{
-        fmt::format("ONDE_PASSING={:d}", alpha || culling || panes || unbent)};
+        fmt::format("ONDE_PASSING={:d}", alpha || culling || panes || unbent || media)};
 #define ONDE_DEFINE(Type, name, initial, NAME, join)                                               \
     all.push_back(fmt::format("ONDE_" #NAME "={:d}", name));
     SCENE_FEATURES(ONDE_DEFINE)
@@ -82,6 +82,8 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.ground = packed.ground_share != glm::vec3(0.0f);
     features.environment = packed.environment_light != NO_INDEX;
     features.motion = scene.next.has_value();
+    features.media = !packed.media.empty();
+    features.absorption &= !features.media; // which are asked for it instead
     // Rounded up, so that scenes of similar depth share a compiled program.
     const uint32_t step = features.layout == BvhLayout::wide ? 32 : 16; // GPUs have little room
     features.stack_size = std::max(2 * step, (packed.bvh.stack_size + step - 1) / step * step);
@@ -117,6 +119,7 @@ static void pack_appearance(PackedScene& packed, const Scene& scene) {
     packed.materials = std::move(materials.records);
     packed.albedos = std::move(materials.albedos);
     packed.spectrum = std::move(materials.spectrum);
+    packed.media = std::move(materials.media);
 }
 
 static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry flat,

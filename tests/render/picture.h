@@ -68,6 +68,7 @@ inline SceneFeatures all_features(const SceneFeatures& own) {
     features.wide_textures = own.wide_textures;
     features.vertex_colors = own.vertex_colors;
     features.light_tree = own.light_tree;
+    features.media = own.media;
     return features;
 }
 

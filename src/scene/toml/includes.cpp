@@ -46,6 +46,7 @@ static void keep_geometry(Scene& scene) {
     for_each_light_list(scene, [](auto& lights, const auto&, const char*) { lights.clear(); });
     scene.cameras.clear();
     scene.environment = {};
+    scene.medium = {};
     scene.settings = {};
     ChapterScene materials;
     materials.phong = std::move(scene.chapter.phong);

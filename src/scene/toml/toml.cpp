@@ -51,8 +51,10 @@ TomlScene::TomlScene(const fs::path& path, LoadContext& context, std::vector<fs:
 
 Scene TomlScene::read(const TableReader& root) {
     root.allow({"camera", "film", "render", "whitted", "material", "shape", "light", "environment",
-                "include", "lesson"});
+                "medium", "include", "lesson"});
     read_settings(root);
+    for (const TableReader& medium : root.tables("medium"))
+        scene_.medium = read_only<Medium>(medium);
     for (const TableReader& lesson : root.tables("lesson"))
         scene_.chapter.lesson = read_lesson(lesson);
     for (const TableReader& material : root.tables("material")) read_material(material);

@@ -143,13 +143,7 @@ INLINE MaterialPoint material_point(SceneView view, Surface s, real3 wo) {
     m.metallic *= packed.z;
 #endif
     m.alpha = roughness * roughness;
-#if ONDE_ALBEDOS
-    m.row = albedo_row((natural)(0u), m.alpha);
-    m.albedo.white = (real)(1.0f);
-    m.albedo.grazing = (real)(0.0f);
-    const mask layered = is_layered(m) | is_thin(view, m);
-    if_any (layered) m.albedo = reflection_albedo(view.albedos, m.row, m.cosine);
-#endif
+    m.albedo = microfacet_albedo(view, m, m.cosine, is_glossy(m) | is_thin(view, m));
     m.coat_normal = make3((real)(0.0f), (real)(0.0f), (real)(1.0f));
     m = with_reflectance(view, s, m);
     return with_layers(view, s, with_transmission(view, s, m));

@@ -81,7 +81,7 @@ PROBE(heuristic) {
 // In: cosine, relative index, f0 (3), f90. Out: dielectric and Schlick's reflectance (3).
 PROBE(fresnel) {
     output(items, 0, fresnel_dielectric(input(items, 0), input(items, 1)));
-    output(items, 1, fresnel_schlick(input3(items, 2), input(items, 5), input(items, 0)));
+    output(items, 1, fresnel_schlick(input3(items, 2), splat3(input(items, 5)), input(items, 0)));
 }
 
 // In: direction on (3), anisotropy, u (2). Out: direction, its density.

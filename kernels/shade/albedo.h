@@ -117,15 +117,24 @@ INLINE Albedo grain_albedo(__global const uint* albedos, real3 wo, real roughnes
 }
 #endif
 
-INLINE Albedo mean_reflection_albedo(__global const uint* albedos, AlbedoRow row) {
-    const real2 means = albedo_means(albedos, row);
+INLINE Albedo mirror_albedo(real cosine) {
     Albedo a;
-    a.white = means.x;
-    a.grazing = means.y;
+    a.white = (real)(1.0f);
+    a.grazing = schlick_weight(cosine);
     return a;
 }
 INLINE real schlick_albedo(Albedo a, real f0, real f90) {
     return fma(f90 - f0, a.grazing, f0 * a.white);
+}
+
+// What leaves microfacets in all, over what leaves after it has met one of them: of light that is
+// lost between them, f0 is not absorbed (Turquin, "Practical multiple scattering compensation for
+// microfacet models", 2019).
+OVERLOAD real compensation(Albedo a, real f0) {
+    return fma(f0, (1.0f - a.white) / a.white, (real)(1.0f));
+}
+OVERLOAD real3 compensation(Albedo a, real3 f0) {
+    return make3(compensation(a, f0.x), compensation(a, f0.y), compensation(a, f0.z));
 }
 
 #endif

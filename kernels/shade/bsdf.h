@@ -43,6 +43,10 @@ typedef struct {
     LobeNumbers probability; // of choosing a lobe
     LobeNumbers reach;       // and of choosing it or one that LOBES has after it
     LobeNumbers through;     // the layers on top of it, toward wo
+#if ONDE_ADJOINT
+    SceneView view;
+    MaterialPoint point;
+#endif
 } Bsdf;
 
 // What layers leave to those below of light along w. As light is scattered between them the sum
@@ -99,6 +103,10 @@ INLINE real lobe_reach(LobeSum all, LobeSum before, real scale) {
 
 INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m) {
     Bsdf b;
+#if ONDE_ADJOINT
+    b.view = view;
+    b.point = m;
+#endif
     const natural lobes = RECORD_NATURAL(view.materials, m.material, MaterialRecord, lobes);
     LobeMasks there;
     LobeNumbers weight;
@@ -137,12 +145,26 @@ INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m) {
     return b;
 }
 
+#if ONDE_ADJOINT
+// What reflects along wi what comes along wo: losses are those of wi.
+INLINE Bsdf bsdf_exchanged(Bsdf b, real3 wi) {
+    b.point.albedo = microfacet_albedo(b.view, b.point, wi, is_glossy(b.point));
+    if (HAS_LOBE(DIFFUSE)) b.diffuse = diffuse_load(b.view, b.point);
+    if (HAS_LOBE(BEHIND)) b.behind = behind_load(b.view, b.point);
+    if (HAS_LOBE(GLOSSY)) b.glossy = glossy_load(b.view, b.point);
+    if (HAS_LAYERS) b.through = layers_through(b, wi);
+    return b;
+}
+#endif
+
 // Delta lobes are left out: their value and pdf are zero here.
 INLINE BsdfValue bsdf_eval(Bsdf b, real3 wo, real3 wi) {
     BsdfValue v;
     v.value = zero3();
     v.pdf = (real)(0.0f);
-    if (HAS_LAYERS && ONDE_ADJOINT) b.through = layers_through(b, wi);
+#if ONDE_ADJOINT
+    b = bsdf_exchanged(b, wi);
+#endif
 #define EVAL_LOBE(NAME, name, Type, transmits)                                                     \
     if (HAS_LOBE(NAME)) {                                                                          \
         if_any (b.has.name) {                                                                      \
@@ -245,7 +267,7 @@ INLINE mask bsdf_is_mirror(Bsdf b) {
 // The diffuse share of bsdf_eval's `value`.
 INLINE real3 bsdf_diffuse_share(Bsdf b, real3 wo, real3 wi, real3 value) {
     if (!HAS_LOBE(DIFFUSE)) return zero3();
-    real3 own = diffuse_body(b.diffuse, wi, b.has.diffuse);
+    real3 own = diffuse_eval(b.diffuse, wo, wi, b.has.diffuse).value;
     if (HAS_LAYERS) own = scale3(own, b.through.diffuse);
     return make3(share_of(own.x, value.x), share_of(own.y, value.y), share_of(own.z, value.z));
 }

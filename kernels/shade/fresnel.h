@@ -11,9 +11,8 @@ INLINE real schlick_weight(real cosine) {
     return m2 * m2 * m;
 }
 // From f0 at normal incidence to f90 at grazing.
-INLINE real3 fresnel_schlick(real3 f0, real f90, real cosine) {
-    const real w = schlick_weight(cosine);
-    return make3(fma(f90 - f0.x, w, f0.x), fma(f90 - f0.y, w, f0.y), fma(f90 - f0.z, w, f0.z));
+INLINE real3 fresnel_schlick(real3 f0, real3 f90, real cosine) {
+    return mix3(f0, f90, schlick_weight(cosine));
 }
 
 // Unpolarised Fresnel equations. eta is the index beyond the boundary over the index before it,

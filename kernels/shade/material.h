@@ -153,20 +153,7 @@ INLINE MaterialPoint material_point(SceneView view, Surface s, real3 wo) {
     const real across = choose(grained, max_real(m.alpha, (real)(SMOOTH_ALPHA)), m.alpha);
     m.grain = make2(fma(1.0f - across, square(m.anisotropy), across), across);
 #endif
-#if ONDE_ALBEDOS
-    m.row = albedo_row((natural)(0u), m.alpha);
-    m.albedo.white = (real)(1.0f);
-    m.albedo.grazing = (real)(0.0f);
-    const mask layered = is_layered(m) | is_thin(view, m);
-    if_any (layered) m.albedo = reflection_albedo(view.albedos, m.row, m.cosine);
-    #if ONDE_ANISOTROPY
-    if_any (grained) {
-        const Albedo own = grain_albedo(view.albedos, wo, m.roughness, m.anisotropy, m.grain);
-        m.albedo.white = choose(grained, own.white, m.albedo.white);
-        m.albedo.grazing = choose(grained, own.grazing, m.albedo.grazing);
-    }
-    #endif
-#endif
+    m.albedo = microfacet_albedo(view, m, wo, is_glossy(m) | is_thin(view, m));
     m.coat_normal = make3((real)(0.0f), (real)(0.0f), (real)(1.0f));
     m = with_reflectance(view, s, m);
     return with_layers(view, s, with_transmission(view, s, m));

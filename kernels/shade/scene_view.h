@@ -65,7 +65,8 @@
 #else
     #define NEXT_FRAME_BUFFERS(BUFFER)
 #endif
-// Whether some material has microfacets, and whether some scatters below or between them.
+// Whether some material has microfacets, whether some solid glass does, and whether some asks what
+// they reflect in all.
 #ifndef ONDE_ROUGH
     #define ONDE_ROUGH 1
 #endif

@@ -27,8 +27,7 @@
 
 // What the numbers of a table are.
 // Reflection, the first table: the albedo of a white surface; and of it the share of Schlick's
-// weight, less that weight of the direction itself, from -1 to 1. As means the albedo, and the part
-// of Schlick's weight.
+// weight, less that weight of the direction itself, from -1 to 1.
 // Sheen, the second table: of white fibres; nothing.
 // Reflection with a grain, the third: as the first.
 // Glass: from outside; from inside.

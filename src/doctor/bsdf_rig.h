@@ -73,10 +73,11 @@ inline Surface pane(float alpha, float ior = 1.5f) {
 /// Surfaces on the device, at one width.
 class Bsdfs {
   public:
-    Bsdfs(gpu::Programs& programs, std::vector<Surface> surfaces, uint32_t width)
+    Bsdfs(gpu::Programs& programs, std::vector<Surface> surfaces, uint32_t width,
+          const std::string& file = "bsdf.cl")
         : surfaces_(numbered(std::move(surfaces))),
           probe_(programs, scene_of(surfaces_), {"bsdf_eval", "bsdf_sample", "bsdf_lobes"}, width,
-                 {}, {}, {}, "bsdf.cl") {}
+                 {}, {}, {}, file) {}
 
     const std::vector<Surface>& surfaces() const { return surfaces_; }
     const PackedScene& packed() const { return probe_.packed(); }
@@ -222,9 +223,9 @@ inline std::string distribution_failure(const Quadrature& over, const Column& pd
     return chi_square_failure(observed, expected, significance);
 }
 
-/// GGX with height-correlated masking and Schlick's reflectance, over what it does not reflect of a
-/// coat and of a metal, in double precision; times cosine. Of the tables of albedos only their
-/// numbers are shared with the kernels.
+/// A metal mixed with a body below a coat, in double precision; times cosine. Microfacets are GGX
+/// with height-correlated masking, Schlick's reflectance and Turquin's compensation. Of the table
+/// of albedos only its numbers are shared with the kernels.
 class OpaqueValue {
   public:
     OpaqueValue(const Surface& surface, std::span<const uint32_t> table)
@@ -235,31 +236,23 @@ class OpaqueValue {
     glm::dvec3 operator()(glm::dvec3 wo, glm::dvec3 wi) const {
         const glm::dvec3 color(material_.base_color);
         if (material_.kind == MaterialKind::diffuse) return color / M_PI * wi.z;
-        const double metallic = material_.metallic;
-        const auto f0 = glm::mix(glm::dvec3(0.04), color, metallic);
-        const glm::dvec3 reflected = microfacets(f0, wo, wi);
-        if (alpha_ < SMOOTH_ALPHA && metallic == 1) return reflected * wi.z;
-        const auto through = [&](double grazing, double white) {
-            return 1 - 0.04 * white - 0.96 * grazing;
-        };
-        const Part out = part(wo.z), in = part(wi.z);
-        const AlbedoNumbers mean = mean_albedo_numbers(table_, alpha_);
-        const double body = through(out.grazing, out.white) * through(in.grazing, in.white) /
-                            through(mean.second, mean.first);
-        const double between = (1 - out.white) * (1 - in.white) / std::max(1 - mean.first, 1e-5);
-        const glm::dvec3 average = color + (1.0 - color) / 21.0;
-        const glm::dvec3 back = average * average * mean.first / (1.0 - average * (1 - mean.first));
-        return (reflected + glm::mix(color * body, back * between, metallic) / M_PI) * wi.z;
+        const AlbedoNumbers n = albedo_numbers(table_, wo.z, alpha_);
+        const double white = alpha_ < SMOOTH_ALPHA ? 1 : n.first;
+        const double offset = alpha_ < SMOOTH_ALPHA ? 0 : 2 * n.second - 1;
+        const double grazing = white * (std::pow(1 - wo.z, 5) + offset);
+        const glm::dvec3 metal = microfacets(color, wo, wi) * compensation(color, white);
+        const glm::dvec3 f0(0.04), coat = microfacets(f0, wo, wi) * compensation(f0, white);
+        const glm::dvec3 reflected = (f0 * white + (1.0 - f0) * grazing) * compensation(f0, white);
+        const glm::dvec3 coated = coat + color * (1.0 - reflected) / M_PI;
+        return glm::mix(coated, metal, double(material_.metallic)) * wi.z;
+    }
+
+    /// What leaves microfacets of reflectance f0 in all, over what does after one of them.
+    static glm::dvec3 compensation(glm::dvec3 f0, double white) {
+        return 1.0 + f0 * (1 - white) / white;
     }
 
   private:
-    struct Part {
-        double white, grazing;
-    };
-    Part part(double cosine) const {
-        const AlbedoNumbers n = albedo_numbers(table_, cosine, alpha_);
-        return {n.first, n.first * (std::pow(1 - cosine, 5) + 2 * n.second - 1)};
-    }
     glm::dvec3 microfacets(glm::dvec3 f0, glm::dvec3 wo, glm::dvec3 wi) const {
         if (alpha_ < SMOOTH_ALPHA) return glm::dvec3(0);
         const glm::dvec3 h = glm::normalize(wo + wi);

@@ -61,9 +61,9 @@ AlbedoNumbers mix(std::span<const uint32_t> words, uint32_t i, uint32_t step, do
             std::lerp(number(i, 16), number(i + step, 16), t)};
 }
 
-/// Fills a table by number(cosine, alpha) and mean(numbers, cosine), what is averaged of them.
-template <class Number, class Mean>
-void fill_table(std::span<uint32_t> table, const Number& number, const Mean& mean) {
+/// Fills a table by number(cosine, alpha).
+template <class Number>
+void fill_table(std::span<uint32_t> table, const Number& number) {
     tbb::parallel_for(0u, ALBEDO_ROWS, [&](uint32_t row) {
         const double alpha = alpha_of(row);
         for (uint32_t column = 0; column < ALBEDO_COLUMNS; column++)
@@ -77,27 +77,25 @@ void fill_table(std::span<uint32_t> table, const Number& number, const Mean& mea
             const double cosine = (i + 0.5) / STEPS;
             const Between at = between(ALBEDO_PLACE(cosine, own), ALBEDO_COLUMNS);
             const AlbedoNumbers read = mix(table, row * ALBEDO_COLUMNS + at.first, 1, at.fraction);
-            const AlbedoNumbers part = mean(read, cosine);
-            sum.first += 2 * cosine / STEPS * part.first;
-            sum.second += 2 * cosine / STEPS * part.second;
+            sum.first += 2 * cosine / STEPS * read.first;
+            sum.second += 2 * cosine / STEPS * read.second;
         }
         table[ALBEDO_MEANS + row] = word_of_two(sum);
     });
 }
 
+/// Between entries of the table albedos fall short by less; no surface should gain light by that.
+constexpr double LARGEST_ERROR = 7e-4;
+
 AlbedoNumbers reflection_numbers(const ReflectionAlbedo& a, double cosine) {
-    return {a.white, 0.5 * (a.grazing / a.white - schlick_weight(cosine) + 1)};
+    const double share = a.grazing / a.white - schlick_weight(cosine) + LARGEST_ERROR;
+    return {a.white + LARGEST_ERROR, 0.5 * (share + 1)};
 }
 
 void fill_reflection(std::span<uint32_t> table) {
-    fill_table(
-        table,
-        [](double cosine, double alpha) {
-            return reflection_numbers(reflection_albedo(cosine, alpha), cosine);
-        },
-        [](AlbedoNumbers n, double cosine) {
-            return AlbedoNumbers{n.first, n.first * (2 * n.second - 1 + schlick_weight(cosine))};
-        });
+    fill_table(table, [](double cosine, double alpha) {
+        return reflection_numbers(reflection_albedo(cosine, alpha), cosine);
+    });
 }
 
 /// Of what a grain loses, the part that is given back, lest coarse steps gain light.
@@ -129,12 +127,9 @@ void fill_grain(std::span<uint32_t> table) {
 }
 
 void fill_sheen(std::span<uint32_t> table) {
-    fill_table(
-        table,
-        [](double cosine, double alpha) {
-            return AlbedoNumbers{sheen_albedo(cosine, alpha), 0};
-        },
-        [](AlbedoNumbers n, double) { return n; });
+    fill_table(table, [](double cosine, double alpha) {
+        return AlbedoNumbers{sheen_albedo(cosine, alpha), 0};
+    });
 }
 
 /// Of what glass loses, the part that is given back: quadrature across the edge of total
@@ -143,13 +138,10 @@ constexpr double GIVEN_BACK = 0.995;
 
 void fill_glass(std::span<uint32_t> table, double ior) {
     const auto kept = [](double albedo) { return 1 - GIVEN_BACK * (1 - albedo); };
-    fill_table(
-        table,
-        [&](double cosine, double alpha) {
-            const GlassAlbedo a = glass_albedo(cosine, alpha, ior);
-            return AlbedoNumbers{kept(a.outside), kept(a.inside)};
-        },
-        [](AlbedoNumbers n, double) { return n; });
+    fill_table(table, [&](double cosine, double alpha) {
+        const GlassAlbedo a = glass_albedo(cosine, alpha, ior);
+        return AlbedoNumbers{kept(a.outside), kept(a.inside)};
+    });
 }
 
 } // namespace
@@ -197,11 +189,6 @@ AlbedoNumbers albedo_numbers(std::span<const uint32_t> table, double cosine, dou
     const AlbedoNumbers lower = mix(table, first + ALBEDO_COLUMNS, 1, column.fraction);
     return {std::lerp(upper.first, lower.first, row.fraction),
             std::lerp(upper.second, lower.second, row.fraction)};
-}
-
-AlbedoNumbers mean_albedo_numbers(std::span<const uint32_t> table, double alpha) {
-    const Between row = between(std::sqrt(alpha), ALBEDO_ROWS);
-    return mix(table, ALBEDO_MEANS + row.first, 1, row.fraction);
 }
 
 } // namespace onde

@@ -32,12 +32,11 @@ class AlbedoTables {
     std::vector<float> iors_;
 };
 
-/// The same interpolation as the kernels': the two numbers of a direction, or their means, each in
-/// [0, 1], from the table that starts at `table`.
+/// The same interpolation as the kernels': the two numbers of a direction, each in [0, 1], from the
+/// table that starts at `table`.
 struct AlbedoNumbers {
     double first, second;
 };
 AlbedoNumbers albedo_numbers(std::span<const uint32_t> table, double cosine, double alpha);
-AlbedoNumbers mean_albedo_numbers(std::span<const uint32_t> table, double alpha);
 
 } // namespace onde

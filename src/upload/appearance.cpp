@@ -77,15 +77,8 @@ static constexpr uint32_t bit(uint32_t index) {
     return 1u << index;
 }
 
-static constexpr uint32_t LAYERED_LOBES = bit(LOBE_GLOSSY) | bit(LOBE_DIFFUSE);
-
 static bool is_rough_alpha(float roughness) {
     return roughness * roughness >= SMOOTH_ALPHA;
-}
-
-/// A grain is rough along itself, however smooth the surface is across.
-static bool has_microfacets(const Material& m) {
-    return is_rough_alpha(m.roughness) || m.anisotropy > 0;
 }
 
 /// The boundary of a medium that bends no light lets all of it through as a sheet does, which
@@ -101,12 +94,12 @@ uint32_t lobes_of(const Material& m) {
     switch (m.kind) {
     case MaterialKind::diffuse:
         return bit(LOBE_DIFFUSE);
-    case MaterialKind::conductor: // what meets several microfacets leaves evenly
-        return bit(LOBE_GLOSSY) | (has_microfacets(m) ? bit(LOBE_DIFFUSE) : 0);
+    case MaterialKind::conductor:
+        return bit(LOBE_GLOSSY);
     case MaterialKind::dielectric:
         return clear_lobe(m);
     case MaterialKind::metallic_roughness:
-        return LAYERED_LOBES | (m.transmission > 0 ? clear_lobe(m) : 0) |
+        return bit(LOBE_GLOSSY) | bit(LOBE_DIFFUSE) | (m.transmission > 0 ? clear_lobe(m) : 0) |
                (m.diffuse_transmission > 0 ? bit(LOBE_BEHIND) : 0) |
                (m.clearcoat > 0 ? bit(LOBE_COAT) : 0) |
                (m.sheen_color != glm::vec3(0) ? bit(LOBE_SHEEN) : 0);
@@ -130,7 +123,8 @@ MaterialFeatures features_of(const Material& m) {
     features.rough = (may_be_rough && (lobes & MIRRORING_LOBES)) || features.anisotropy ||
                      (lobes & bit(LOBE_COAT) && is_rough_alpha(m.clearcoat_roughness));
     features.rough_glass = may_be_rough && solid;
-    features.layered = (lobes & LAYERED_LOBES) == LAYERED_LOBES || thin;
+    features.albedos =
+        mixed || thin || features.anisotropy || (may_be_rough && lobes & bit(LOBE_GLOSSY));
     features.index = mixed && m.ior != 1.5f;
     features.specular = mixed && (m.specular != 1 || m.specular_color != glm::vec3(1));
     features.iridescence = mixed && m.iridescence > 0;
@@ -170,7 +164,7 @@ PackedMaterials pack_materials(const Scene& scene) {
         record.kind = uint32_t(m.kind);
         record.lobes = lobes_of(m);
         const MaterialFeatures features = features_of(m);
-        if (features.layered) albedos.reflection();
+        if (features.albedos) albedos.reflection();
         if (features.anisotropy) albedos.grain();
         if (record.lobes & bit(LOBE_SHEEN)) albedos.sheen();
         if (features.dispersion && packed.spectrum.empty()) packed.spectrum = spectrum_table();

@@ -16,7 +16,7 @@ uint32_t lobes_of(const Material& material);
 struct MaterialFeatures {
     bool rough;       ///< it reflects or refracts by microfacets
     bool rough_glass; ///< and is solid glass
-    bool layered;     ///< it scatters below a coat or between microfacets
+    bool albedos;     ///< it asks what its microfacets reflect in all
     bool index;       ///< its coat's is not 1.5
     bool specular;    ///< it reflects less, or in colour
     bool iridescence;

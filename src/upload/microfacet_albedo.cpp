@@ -125,7 +125,7 @@ float scattered(Microfacet m, float cosine, float alpha, float seen, float eta) 
 ReflectionAlbedo reflection_albedo(double cosine, double alpha) {
     const auto c = float(cosine), a = float(alpha);
     const float seen = lambda(c, a);
-    const Pair mean = mean_of_microfacets<DiskPoints<32, 16>>(c, a, [&](Microfacet m) {
+    const Pair mean = mean_of_microfacets<DiskPoints<64, 16>>(c, a, [&](Microfacet m) {
         const float reflected = shadowing(seen, 2 * m.out * m.up - c, a);
         return std::array{reflected, reflected * schlick_weight(m.out)};
     });

@@ -6,7 +6,7 @@
 namespace onde {
 
 /// What microfacets reflect: the albedo of a white surface, and its part that Schlick's weight
-/// (1 - cosine)^5 counts. Absolute errors below 0.001.
+/// (1 - cosine)^5 counts. Absolute errors below 0.0005.
 struct ReflectionAlbedo {
     double white, grazing;
 };

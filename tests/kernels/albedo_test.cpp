@@ -68,7 +68,7 @@ TEST_CASE("between its entries a table is near what it stands for") {
             INFO("roughness " << roughness << ", cosine " << cosine);
             const AlbedoNumbers n = albedo_numbers(all, cosine, alpha);
             const ReflectionAlbedo reflected = reflection_albedo(cosine, alpha);
-            CHECK(n.first == Approx(reflected.white).margin(4e-3));
+            CHECK(n.first == Approx(reflected.white).margin(5e-3));
             CHECK(n.first * (std::pow(1 - cosine, 5) + 2 * n.second - 1) ==
                   Approx(reflected.grazing).margin(2e-3));
             const AlbedoNumbers g = albedo_numbers(all.subspan(at), cosine, alpha);
@@ -87,5 +87,5 @@ TEST_CASE("many kinds of glass share tables, and a scene that asks for none has 
     const std::vector<uint32_t> unused = AlbedoTables().words();
     REQUIRE(unused.size() == 2 * ALBEDO_TABLE);
     CHECK(albedo_numbers(unused, 0.4, 0.3).first == Approx(1));
-    CHECK(mean_albedo_numbers(unused, 0.3).first == Approx(1));
+    CHECK((unused[ALBEDO_MEANS] & 0xffff) == 0xffff);
 }

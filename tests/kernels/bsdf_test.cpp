@@ -1,4 +1,5 @@
 // BSDFs: samples against densities, weights against values, reciprocity, energy.
+#include "doctor/mapped_bsdfs.h"
 #include "kernels/bsdf_rig.h"
 
 using namespace onde;
@@ -98,21 +99,62 @@ TEST_CASE("the diffuse pdf integrates to one, and the diffuse albedo is the colo
     }
 }
 
-TEST_CASE("opaque surfaces are reciprocal") {
+TEST_CASE("diffuse surfaces are reciprocal, metals but for what meets several microfacets") {
     constexpr size_t COUNT = 1 << 14;
     Generator generator(3);
     const std::vector<glm::vec3> a = directions_above(generator, COUNT);
     const std::vector<glm::vec3> b = directions_above(generator, COUNT);
+    const std::vector<uint32_t>& table = rough_surfaces().packed().albedos;
     for (const Surface& surface : rough_surfaces().surfaces()) {
-        if (surface.is_glass()) continue;
+        const bool metal = surface.material.kind == MaterialKind::conductor;
+        if (!metal && surface.material.kind != MaterialKind::diffuse) continue;
         INFO(surface.name);
+        const auto compensation = [&](glm::vec3 wo) {
+            const glm::dvec3 f0(metal ? surface.material.base_color : glm::vec3(0));
+            const double white = albedo_numbers(table, wo.z, surface.alpha()).first;
+            return OpaqueValue::compensation(f0, white).x;
+        };
         const Column there = evaluate(rough_surfaces(), surface, a, b).value[0];
         const Column back = evaluate(rough_surfaces(), surface, b, a).value[0];
         Column got(COUNT);
-        for (size_t i = 0; i < COUNT; i++) got[i] = there[i] / b[i].z;
+        for (size_t i = 0; i < COUNT; i++)
+            got[i] = float(there[i] / b[i].z / compensation(a[i]) * compensation(b[i]));
         CHECK(worst_ratio(
                   got, [&](size_t i) { return back[i] / a[i].z; }, 1e-4) == "");
     }
+}
+
+TEST_CASE("of light that comes along wo a surface reflects as much as of light toward it") {
+    constexpr size_t COUNT = 1 << 11;
+    std::vector<Surface> surfaces = doctor::mixed_surfaces();
+    std::erase_if(surfaces, [](const Surface& s) {
+        return lobes_of(s.material) >> LOBE_DIELECTRIC & 1; // refraction changes solid angles
+    });
+    Bsdfs toward = on_device(surfaces);
+    Bsdfs along(programs(), surfaces, 1, "adjoint.cl");
+    Generator generator(5);
+    const std::vector<glm::vec3> wo = directions_above(generator, COUNT);
+    std::vector<glm::vec3> wi = directions_above(generator, COUNT), turned_wo = wo, turned_wi = wi;
+    for (size_t i = 0; i < COUNT; i += 2) { // behind it; seen from there behind is above
+        wi[i].z = -wi[i].z;
+        turned_wo[i] = -wo[i];
+        turned_wi[i] = -wi[i];
+    }
+    uint32_t lobes = 0;
+    for (const Surface& surface : toward.surfaces()) {
+        INFO(surface.name);
+        lobes |= lobes_of(surface.material);
+        const Values got = evaluate(along, surface, wo, wi);
+        CHECK(got.pdf == evaluate(toward, surface, wo, wi).pdf);
+        const Columns wanted = evaluate(toward, surface, turned_wi, turned_wo).value;
+        for (uint32_t k = 0; k < 3; k++) {
+            const auto exchanged = [&](size_t i) {
+                return double(wanted[k][i]) / std::abs(wo[i].z) * std::abs(wi[i].z);
+            };
+            CHECK(worst_ratio(got.value[k], exchanged, 2e-4, 1e-4) == "");
+        }
+    }
+    CHECK(lobes == ((1u << LOBE_COUNT) - 1) - (1u << LOBE_DIELECTRIC));
 }
 
 TEST_CASE("glass is reciprocal but for the squares of its indices") {
@@ -149,7 +191,7 @@ TEST_CASE("glass is reciprocal but for the squares of its indices") {
 
 TEST_CASE("a white surface that absorbs nothing returns all light, however rough, from all sides") {
     std::vector<Surface> surfaces;
-    for (const float alpha : {0.01f, 0.04f, 0.1f, 0.25f, 0.5f, 0.75f, 1.0f}) {
+    for (const float alpha : {0.0f, 0.01f, 0.04f, 0.1f, 0.25f, 0.5f, 0.75f, 1.0f}) {
         surfaces.push_back(conductor(alpha));
         for (const float metallic : {0.0f, 0.4f, 1.0f})
             surfaces.push_back(mix(alpha, metallic, WHITE));
@@ -178,7 +220,8 @@ TEST_CASE("a white surface that absorbs nothing returns all light, however rough
                 squares += weight * weight;
             }
             const double mean = sum / COUNT;
-            const double deviation = std::sqrt((squares / COUNT - mean * mean) / COUNT);
+            const double deviation =
+                std::sqrt(std::max(squares / COUNT - mean * mean, 0.0) / COUNT);
             CHECK(mean > 0.99 - 4 * deviation);
             CHECK(mean < 1 + 1e-5 + 4 * deviation);
         }

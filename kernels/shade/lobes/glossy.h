@@ -1,6 +1,6 @@
 // Reflection by GGX microfacets: conductors, the specular part of glTF's mix (glTF 2.0, appendix
-// B). A mirror where it is smooth. What leaves the microfacets only after it has met several of
-// them is a matter of the diffuse lobe.
+// B). A mirror where it is smooth. What has met several microfacets leaves as what has met one, so
+// that all energy is kept, though not reciprocity.
 #ifndef ONDE_SHADE_LOBES_GLOSSY_H
 #define ONDE_SHADE_LOBES_GLOSSY_H
 
@@ -25,9 +25,12 @@ INLINE GlossyAlpha rough_alpha(GlossyAlpha alpha) {
 }
 
 typedef struct {
-    real3 f0; // reflectance at normal incidence
-    real f90; // and at grazing
+    real3 f0;  // reflectance at normal incidence, times the compensation
+    real3 f90; // and at grazing
     GlossyAlpha alpha;
+#if ONDE_EDGES
+    real3 dip; // of metal's, towards the edge
+#endif
 #if ONDE_IRIDESCENCE
     real iridescence;
     Film film;
@@ -37,12 +40,28 @@ typedef struct {
 INLINE mask glossy_is_smooth(GlossyLobe lobe) {
     return WIDEST_ALPHA(lobe.alpha) < SMOOTH_ALPHA;
 }
+#if ONDE_EDGES
+// What a metal whose edge has a tint reflects less than by Schlick's formula, over mu (1 - mu)^6, mu
+// being the cosine: by the tint where that is 1/7 (Kutz, Hasan and Edmondson, "Novel aspects of the
+// Adobe Standard Material", 2021).
+INLINE real3 edge_dip(SceneView view, MaterialPoint m) {
+    const real3 tint = RECORD3(view.materials, m.material, MaterialRecord, edge_tint);
+    const real3 schlick = fresnel_schlick(m.color, splat3((real)(1.0f)), (real)(1.0f / 7.0f));
+    return scale3(mul3(schlick, sub3(splat3((real)(1.0f)), tint)), (real)(17.651476f));
+}
+#endif
 INLINE GlossyLobe glossy_load(SceneView view, MaterialPoint m) {
-    const real metallic = choose(is_of_kind(m, MATERIAL_CONDUCTOR), (real)(1.0f), m.metallic);
+    const mask mixed = is_of_kind(m, MATERIAL_METALLIC_ROUGHNESS);
+    const real metallic = choose(mixed, m.metallic, (real)(1.0f));
+    const real3 metal = scale3(compensation(m.albedo, m.color), metallic);
+    // The clear part has its own reflection.
+    const real3 coat = scale3(compensation(m.albedo, m.f0), opaque_share(m, metallic));
     GlossyLobe lobe;
-    const real opaque = opaque_share(m, metallic); // the clear part has its own reflection
-    lobe.f0 = madd3(m.color, metallic, scale3(m.f0, opaque));
-    lobe.f90 = fma(m.f90, opaque, metallic);
+    lobe.f0 = fma3(m.color, metal, mul3(m.f0, coat));
+    lobe.f90 = madd3(coat, m.f90, metal);
+#if ONDE_EDGES
+    lobe.dip = mul3(metal, edge_dip(view, m));
+#endif
 #if ONDE_ANISOTROPY
     lobe.alpha = m.grain;
 #else
@@ -55,21 +74,30 @@ INLINE GlossyLobe glossy_load(SceneView view, MaterialPoint m) {
     return lobe;
 }
 INLINE real3 glossy_fresnel(GlossyLobe lobe, real cosine) {
-    const real3 plain = fresnel_schlick(lobe.f0, lobe.f90, cosine);
+    real3 plain = fresnel_schlick(lobe.f0, lobe.f90, cosine);
+#if ONDE_EDGES
+    const real less = clamp_real(1.0f - cosine, 0.0f, 1.0f);
+    plain = madd3(lobe.dip, -cosine * schlick_weight(cosine) * less, plain);
+    plain = make3(max_real(plain.x, (real)(0.0f)), max_real(plain.y, (real)(0.0f)),
+                  max_real(plain.z, (real)(0.0f)));
+#endif
 #if ONDE_IRIDESCENCE
-    const real whole = max_real(lobe.f90, (real)(1e-6f));
-    const real3 film = film_fresnel(lobe.film, scale3(lobe.f0, 1.0f / whole), cosine);
-    return mix3(plain, scale3(film, whole), lobe.iridescence);
+    const real least = (real)(1e-6f);
+    const real3 whole = make3(max_real(lobe.f90.x, least), max_real(lobe.f90.y, least),
+                              max_real(lobe.f90.z, least));
+    const real3 f0 = make3(lobe.f0.x / whole.x, lobe.f0.y / whole.y, lobe.f0.z / whole.z);
+    const real3 film = film_fresnel(lobe.film, f0, cosine);
+    return mix3(plain, mul3(film, whole), lobe.iridescence);
 #else
     return plain;
 #endif
 }
 // Not 0 for black metals, which reflect at grazing angles.
 INLINE real glossy_weight(GlossyLobe lobe, MaterialPoint m) {
-    real reflected = luminance3(glossy_fresnel(lobe, m.cosine));
-#if ONDE_ALBEDOS
-    const real rough = schlick_albedo(m.albedo, luminance3(lobe.f0), lobe.f90);
-    reflected = choose(glossy_is_smooth(lobe), reflected, rough);
+    real reflected = schlick_albedo(m.albedo, luminance3(lobe.f0), luminance3(lobe.f90));
+#if ONDE_IRIDESCENCE // a film may reflect many times as much
+    const real film = luminance3(glossy_fresnel(lobe, m.cosine)) * m.albedo.white;
+    reflected = max_real(reflected, film);
 #endif
     return max_real(reflected, (real)(1e-9f));
 }

@@ -45,13 +45,10 @@ typedef struct {
 #if ONDE_DISPERSION
     real bend; // of the light's wavelength, as of SpectrumKnot
 #endif
-    mask front;  // whether its front is seen
-    real3 wo;    // view direction
-    real cosine; // of it and the shading normal, > 0
-#if ONDE_ALBEDOS
-    AlbedoRow row;
-    Albedo albedo; // of its microfacets, seen so
-#endif
+    mask front;    // whether its front is seen
+    real3 wo;      // view direction
+    real cosine;   // of it and the shading normal, > 0
+    Albedo albedo; // of its microfacets, along wo
 } MaterialPoint;
 
 // Whether it is of a kind; the answer is known where no material of the scene is.
@@ -59,9 +56,33 @@ INLINE mask is_of_kind(MaterialPoint m, uint kind) {
     return ONDE_KINDS >> kind & 1u ? m.kind == kind : m.kind != m.kind;
 }
 
-// Whether light is scattered below a coat or between microfacets.
-INLINE mask is_layered(MaterialPoint m) {
+// Whether it has the glossy lobe.
+INLINE mask is_glossy(MaterialPoint m) {
     return is_of_kind(m, MATERIAL_METALLIC_ROUGHNESS) | is_of_kind(m, MATERIAL_CONDUCTOR);
+}
+
+// What microfacets reflect of light along a local direction; a mirror's in other lanes.
+INLINE Albedo microfacet_albedo(SceneView view, MaterialPoint m, real3 w, mask lanes) {
+    const real cosine = fabs(w.z);
+    Albedo a = mirror_albedo(cosine);
+    const mask rough = lanes & (m.alpha >= SMOOTH_ALPHA);
+    if (!ONDE_ALBEDOS) return a;
+    if_any (rough) {
+        const AlbedoRow row = albedo_row((natural)(0u), m.alpha);
+        const Albedo found = reflection_albedo(view.albedos, row, cosine);
+        a.white = choose(rough, found.white, a.white);
+        a.grazing = choose(rough, found.grazing, a.grazing);
+    }
+#if ONDE_ANISOTROPY
+    const mask grained = is_glossy(m) & (m.anisotropy > 0.0f);
+    if_any (grained) {
+        const Albedo found = grain_albedo(view.albedos, make3(w.x, w.y, cosine), m.roughness,
+                                          m.anisotropy, m.grain);
+        a.white = choose(grained, found.white, a.white);
+        a.grazing = choose(grained, found.grazing, a.grazing);
+    }
+#endif
+    return a;
 }
 
 // The share of a surface that has a clear body.

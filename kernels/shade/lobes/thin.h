@@ -38,13 +38,13 @@ INLINE ThinLobe thin_load(SceneView view, MaterialPoint m) {
     lobe.ior = max_real(ior, 1.0f / ior);
     lobe.alpha = choose(lobe.ior < 1.0f + EQUAL_INDICES, (real)(0.0f), m.alpha);
 #if ONDE_ALBEDOS
-    lobe.row = m.row;
+    lobe.row = albedo_row((natural)(0u), m.alpha);
     lobe.albedos = view.albedos;
     real white = m.albedo.white;
-    if (ONDE_ANISOTROPY) white = reflection_albedo(view.albedos, m.row, m.cosine).white; // no grain
+    if (ONDE_ANISOTROPY) // has no grain
+        white = reflection_albedo(view.albedos, lobe.row, m.cosine).white;
     lobe.lost = choose(lobe.alpha < SMOOTH_ALPHA, (real)(0.0f), 1.0f - white);
-    lobe.mean_lost =
-        max_real(1.0f - mean_reflection_albedo(view.albedos, m.row).white, (real)(1e-5f));
+    lobe.mean_lost = max_real(1.0f - albedo_means(view.albedos, lobe.row).x, (real)(1e-5f));
     lobe.behind = 1.0f - thin_reflectance(lobe, 1.0f - mean_transmission(lobe.ior));
 #endif
     return lobe;

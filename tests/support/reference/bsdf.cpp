@@ -31,17 +31,10 @@ glm::vec3 mirrored(const glm::vec3& wo, const glm::vec3& h) {
     return 2.0f * glm::dot(wo, h) * h - wo;
 }
 
-/// What the coat reflects over the diffuse body of metallic-roughness materials, of index 1.5
-/// (glTF 2.0, appendix B.2).
-float coat_albedo(const glm::vec2& albedos) {
-    return 0.04f * albedos.x + 0.96f * albedos.y;
-}
-
-/// Of the light that microfacets of reflectance f0 lose, the part that leaves them after all (Kulla
-/// and Conty 2017, "Revisiting Physically Based Shading at Imageworks").
-glm::vec3 regained(const glm::vec3& f0, float mean_albedo) {
-    const glm::vec3 fresnel = f0 + (1.0f - f0) / 21.0f; // its mean, by Schlick
-    return fresnel * fresnel * mean_albedo / (1.0f - fresnel * (1.0f - mean_albedo));
+/// Turquin 2019, "Practical multiple scattering compensation for microfacet models": light that is
+/// lost among microfacets of reflectance f0 follows what they reflect at once, f0 times as bright.
+glm::vec3 followed(const glm::vec3& f0, float white_albedo) {
+    return 1.0f + f0 * (1.0f / white_albedo - 1.0f);
 }
 
 /// Snell's law about h, on wo's side; eta is the index beyond over the index here. Not to be
@@ -77,18 +70,19 @@ void Bsdf::set_opaque(const MaterialRecord& material) {
         return;
     }
     const float metallic = material.kind == MaterialKind::conductor ? 1.0f : material.metallic;
-    f0_ = glm::mix(glm::vec3(0.04f), color, metallic);
+    const glm::vec3 coat_f0(0.04f); // of index 1.5 (glTF 2.0, appendix B.2)
     if (!delta_) albedos_ = Albedos(*material.albedos, material.roughness);
-    const glm::vec2 albedos = albedos_.at(wo_.z), mean = albedos_.mean();
-    // Kelemen and Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model with
-    // Importance Sampling": reciprocal, and white over a white body.
-    const glm::vec3 body = (1.0f - metallic) * (1.0f - coat_albedo(albedos)) * color;
-    body_ = body / (1.0f - coat_albedo(mean));
-    const glm::vec3 back = metallic * (1.0f - albedos.x) * regained(color, mean.x);
-    between_ = back / std::max(1.0f - mean.x, LEAST_LOSS);
-    const float specular = luminance(f0_ * albedos.x + (1.0f - f0_) * albedos.y);
-    const float even = luminance(body + back);
-    specular_pmf_ = even > 0.0f ? glm::clamp(specular / (specular + even), 0.1f, 0.98f) : 1.0f;
+    const glm::vec2 albedos = albedos_.at(wo_.z);
+    const glm::vec3 metal = metallic * followed(color, albedos.x);
+    const glm::vec3 coat = (1.0f - metallic) * followed(coat_f0, albedos.x);
+    f0_ = metal * color + coat * coat_f0;
+    f90_ = metal + coat;
+    // The body has what its coat does not reflect toward the viewer: white is white.
+    body_ = color * (1.0f - metallic - coat * (0.04f * albedos.x + 0.96f * albedos.y));
+    const float specular = luminance(f0_ * (albedos.x - albedos.y) + f90_ * albedos.y);
+    const float diffuse = luminance(body_);
+    specular_pmf_ =
+        diffuse > 0.0f ? glm::clamp(specular / (specular + diffuse), 0.1f, 0.98f) : 1.0f;
 }
 
 void Bsdf::set_transparent(const MaterialRecord& material) {
@@ -129,23 +123,20 @@ Scattering Bsdf::eval_opaque(const glm::vec3& wi) const {
     if (specular_pmf_ == 0.0f) return {body_ * (wi.z / PI), wi.z / PI};
     Scattering s;
     if (specular_pmf_ < 1.0f) {
-        s.value = reflected_evenly(wi) * (wi.z / PI);
+        s.value = body_ * (wi.z / PI);
         s.pdf = (1.0f - specular_pmf_) * wi.z / PI;
     }
     if (!delta_) {
         const glm::vec3 h = glm::normalize(wi + wo_);
-        const glm::vec3 fresnel = f0_ + (1.0f - f0_) * schlick_weight(glm::dot(wo_, h));
         const float d = ggx_distribution(h, alpha_);
-        s.value += fresnel * (d * smith_visibility(wi.z, wo_.z, alpha_) * wi.z);
+        s.value += fresnel(glm::dot(wo_, h)) * (d * smith_visibility(wi.z, wo_.z, alpha_) * wi.z);
         s.pdf += specular_pmf_ * smith_g1(wo_.z, alpha_) * d / (4.0f * wo_.z);
     }
     return s;
 }
 
-/// By the body and between microfacets; times pi.
-glm::vec3 Bsdf::reflected_evenly(const glm::vec3& wi) const {
-    const glm::vec2 albedos = albedos_.at(wi.z);
-    return (1.0f - coat_albedo(albedos)) * body_ + (1.0f - albedos.x) * between_;
+glm::vec3 Bsdf::fresnel(float cosine) const {
+    return glm::mix(f0_, f90_, schlick_weight(cosine));
 }
 
 // Walter et al. 2007, equations 20 and 21, sampled by visible normals. The masking is the
@@ -192,8 +183,7 @@ std::optional<ScatteringSample> Bsdf::sample(Random& random) const {
     const glm::vec3 wi(-wo_.x, -wo_.y, wo_.z);
     const glm::vec3 direction = frame_.to_world(wi);
     if (!same_side(direction, wi)) return std::nullopt;
-    const glm::vec3 fresnel = f0_ + (1.0f - f0_) * schlick_weight(wo_.z);
-    return ScatteringSample{direction, fresnel / specular_pmf_, 0.0f, true};
+    return ScatteringSample{direction, fresnel(wo_.z) / specular_pmf_, 0.0f, true};
 }
 
 glm::vec3 Bsdf::sample_opaque(Random& random, bool specular) const {

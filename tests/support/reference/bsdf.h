@@ -48,8 +48,8 @@ class Bsdf {
     Scattering eval_opaque(const glm::vec3& wi) const;
     Scattering eval_boundary(const glm::vec3& wi) const;
     Scattering eval_transparent(const glm::vec3& wi) const;
-    glm::vec3 reflected_evenly(const glm::vec3& wi) const;
     glm::vec3 sample_opaque(Random& random, bool specular) const;
+    glm::vec3 fresnel(float cosine) const;
     std::optional<ScatteringSample> sample_transparent(Random& random) const;
     std::optional<ScatteringSample> smooth_sample(const glm::vec3& wi) const;
     bool same_side(const glm::vec3& wi, const glm::vec3& wi_local) const;
@@ -67,10 +67,9 @@ class Bsdf {
     bool bulges_;
 
     // Opaque materials.
-    glm::vec3 f0_{0.0f};
-    glm::vec3 body_{0.0f};      ///< its reflectance; below a coat, times what enters over the mean
-    glm::vec3 between_{0.0f};   ///< microfacets: what comes back of what is lost, over the mean
-    float specular_pmf_ = 0.0f; ///< of choosing the specular lobe
+    glm::vec3 f0_{0.0f}, f90_{0.0f}; ///< times what brings back the light lost among microfacets
+    glm::vec3 body_{0.0f};           ///< its reflectance, times what its coat leaves to it
+    float specular_pmf_ = 0.0f;      ///< of choosing the specular lobe
 
     // Glass.
     glm::vec3 tint_{1.0f};

@@ -213,8 +213,14 @@ INLINE Surface surface_at(SceneView view, real3 origin, real3 direction, Hits hi
 #endif
     s = facing(s, direction);
 #if ONDE_ANISOTROPY
-    const Tangent tangent = placed_tangent(view, placement, triangle_tangent(view, corners, u, v));
-    s.grain = surface_grain(view, s, tangent, triangle);
+    s.grain = zero3();
+    const mask grained =
+        lanes & (RECORD(view.materials, s.material, MaterialRecord, anisotropy) > 0.0f);
+    if_any (grained) { // else there may be no tangents
+        const Tangent tangent =
+            placed_tangent(view, placement, triangle_tangent(view, corners, u, v));
+        s.grain = choose(grained, surface_grain(view, s, tangent, triangle), s.grain);
+    }
 #endif
     return s;
 }

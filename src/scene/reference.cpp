@@ -189,6 +189,7 @@ std::vector<ReferenceTable> reference_tables() {
             {"camera", key_table<Camera>()},
             {"material", key_table<Material>()},
             {"texture", key_table<TextureFile>()},
+            {"medium", key_table<Medium>()},
             {"phong", key_table<Phong>()},
             {"lesson", key_table<Lesson>()},
             {"expect", key_table<Expectation>()},

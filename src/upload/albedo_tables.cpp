@@ -98,8 +98,8 @@ void fill_reflection(std::span<uint32_t> table) {
     });
 }
 
-/// Of what a grain loses, the part that is given back, lest coarse steps gain light.
-constexpr double GIVEN_BACK_BY_GRAIN = 0.99;
+/// The same of the coarse steps of the table with a grain.
+constexpr double LARGEST_GRAIN_ERROR = 9e-3;
 
 void fill_grain(std::span<uint32_t> table) {
     constexpr uint32_t ROW = GRAIN_COLUMNS, BLOCK = GRAIN_COLUMNS * ROW;
@@ -116,8 +116,8 @@ void fill_grain(std::span<uint32_t> table) {
             for (uint32_t column = 0; column < GRAIN_COLUMNS; column++) {
                 const double cosine = cosine_at(column, GRAIN_COLUMNS, seen);
                 ReflectionAlbedo a = grain_albedo(cosine, azimuth, along, across);
-                const double kept = 1 - GIVEN_BACK_BY_GRAIN * (1 - a.white);
-                a.grazing *= kept / a.white;
+                const double kept = std::min(a.white + LARGEST_GRAIN_ERROR, 1.0);
+                a.grazing = a.grazing * kept / a.white + LARGEST_GRAIN_ERROR;
                 a.white = kept;
                 table[block * BLOCK + row * ROW + column] =
                     word_of_two(reflection_numbers(a, cosine));

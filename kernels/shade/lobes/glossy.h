@@ -41,9 +41,9 @@ INLINE mask glossy_is_smooth(GlossyLobe lobe) {
     return WIDEST_ALPHA(lobe.alpha) < SMOOTH_ALPHA;
 }
 #if ONDE_EDGES
-// What a metal whose edge has a tint reflects less than by Schlick's formula, over mu (1 - mu)^6, mu
-// being the cosine: by the tint where that is 1/7 (Kutz, Hasan and Edmondson, "Novel aspects of the
-// Adobe Standard Material", 2021).
+// What a metal whose edge has a tint reflects less than by Schlick's formula, over mu (1 - mu)^6,
+// mu being the cosine: by the tint where that is 1/7 (Kutz, Hasan and Edmondson, "Novel aspects of
+// the Adobe Standard Material", 2021).
 INLINE real3 edge_dip(SceneView view, MaterialPoint m) {
     const real3 tint = RECORD3(view.materials, m.material, MaterialRecord, edge_tint);
     const real3 schlick = fresnel_schlick(m.color, splat3((real)(1.0f)), (real)(1.0f / 7.0f));

@@ -76,8 +76,8 @@ INLINE Albedo microfacet_albedo(SceneView view, MaterialPoint m, real3 w, mask l
 #if ONDE_ANISOTROPY
     const mask grained = is_glossy(m) & (m.anisotropy > 0.0f);
     if_any (grained) {
-        const Albedo found = grain_albedo(view.albedos, make3(w.x, w.y, cosine), m.roughness,
-                                          m.anisotropy, m.grain);
+        const Albedo found =
+            grain_albedo(view.albedos, make3(w.x, w.y, cosine), m.roughness, m.anisotropy, m.grain);
         a.white = choose(grained, found.white, a.white);
         a.grazing = choose(grained, found.grazing, a.grazing);
     }

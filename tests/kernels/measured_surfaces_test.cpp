@@ -1,0 +1,62 @@
+// What measured surfaces have beside glTF's: metals' edges, and coats that send light back.
+#include "kernels/bsdf_rig.h"
+
+using namespace onde;
+using namespace onde::test;
+using namespace onde::test::bsdf;
+
+namespace {
+
+double schlick(double f0, double cosine) {
+    return f0 + (1 - f0) * std::pow(1 - cosine, 5);
+}
+
+} // namespace
+
+TEST_CASE("a metal's tint shows at its edge, and not where one looks at it head on") {
+    Surface metal = conductor(0, 0.6f);
+    metal.material.edge_tint = {0.5f, 0.9f, 1.0f};
+    Surface half = bsdf::mix(0, 0.5f, glm::vec3(0.6f));
+    half.material.edge_tint = metal.material.edge_tint;
+    Bsdfs bsdfs = on_device({metal, half});
+    for (const double cosine : {1.0, 0.6, 1.0 / 7, 0.05}) {
+        INFO("cosine " << cosine);
+        const glm::vec3 wo(std::sqrt(1 - cosine * cosine), 0, cosine);
+        const glm::vec3 weight = sample(bsdfs, bsdfs.surfaces()[0], wo, 16, 1).weight[0];
+        for (glm::length_t c = 0; c < 3; c++) {
+            const double edge = 1.0 / 7;
+            const double less = schlick(double(0.6f), edge) *
+                                (1 - double(metal.material.edge_tint[c])) /
+                                (edge * std::pow(1 - edge, 6));
+            const double wanted =
+                schlick(double(0.6f), cosine) - less * cosine * std::pow(1 - cosine, 6);
+            CHECK(weight[c] == Approx(wanted).epsilon(1e-5));
+        }
+    }
+    // Of a mix only the metal has it.
+    const double edge = 1.0 / 7;
+    const glm::vec3 wo(std::sqrt(1 - edge * edge), 0, edge);
+    const Samples samples = sample(bsdfs, bsdfs.surfaces()[1], wo, 4096, 1);
+    for (size_t i = 0; i < samples.weight.size(); i++) {
+        if (samples.delta[i] == 0) continue;
+        const double coat = 0.5 * schlick(0.04, edge), metallic = 0.5 * schlick(double(0.6f), edge);
+        CHECK(samples.weight[i].x / samples.weight[i].z ==
+              Approx((coat + 0.5 * metallic) / (coat + metallic)).epsilon(1e-4));
+        return;
+    }
+    FAIL("no sample was mirrored");
+}
+
+TEST_CASE("a coat that sends light back makes colours deeper, but for black and white") {
+    const glm::vec3 color(0.0f, 0.5f, 1.0f);
+    Surface plain = bsdf::mix(0, 0, color), plastic = plain;
+    plastic.material.inner_reflection = 0.6f;
+    Bsdfs bsdfs = on_device({plain, plastic});
+    const std::vector<glm::vec3> wo{{0.6f, 0, 0.8f}}, wi{{-0.36f, 0.48f, 0.8f}};
+    const Columns without = evaluate(bsdfs, bsdfs.surfaces()[0], wo, wi).value;
+    const Columns with = evaluate(bsdfs, bsdfs.surfaces()[1], wo, wi).value;
+    for (uint32_t c = 0; c < 3; c++)
+        CHECK(with[c][0] ==
+              Approx(without[c][0] * 0.4 / (1 - 0.6 * double(color[glm::length_t(c)]))));
+    CHECK(without[1][0] > 0.1f);
+}

@@ -65,6 +65,21 @@ INLINE LobeNumbers layers_through(Bsdf b, real3 w) {
     return through;
 }
 
+// What the layers of a material leave of light along m.wo.
+INLINE real left_by_layers(SceneView view, MaterialPoint m, natural lobes) {
+    real left = (real)(1.0f);
+#define LEAVE_LAYER(NAME, name)                                                                    \
+    if (HAS_LOBE(NAME)) {                                                                          \
+        const mask there = (lobes >> LOBE_##NAME & 1u) != 0u;                                      \
+        const real share = 1.0f - name##_albedo(name##_load(view, m), m.wo);                       \
+        left *= choose(there, share, (real)(1.0f));                                                \
+    }
+    LEAVE_LAYER(COAT, coat)
+    LEAVE_LAYER(SHEEN, sheen)
+#undef LEAVE_LAYER
+    return left;
+}
+
 typedef struct {
     real3 value; // BSDF times cosine
     real pdf;
@@ -148,6 +163,7 @@ INLINE Bsdf bsdf_load(SceneView view, MaterialPoint m) {
 #if ONDE_ADJOINT
 // What reflects along wi what comes along wo: losses are those of wi.
 INLINE Bsdf bsdf_exchanged(Bsdf b, real3 wi) {
+    b.point.cosine = fabs(wi.z);
     b.point.albedo = microfacet_albedo(b.view, b.point, wi, is_glossy(b.point));
     if (HAS_LOBE(DIFFUSE)) b.diffuse = diffuse_load(b.view, b.point);
     if (HAS_LOBE(BEHIND)) b.behind = behind_load(b.view, b.point);

@@ -73,8 +73,7 @@ INLINE FilmBase film_base(real ior, real f0, real cosine) {
 
 // f0: of the boundary without the film; cosine: outside.
 INLINE real3 film_fresnel(Film film, real3 f0, real cosine) {
-    const real t = clamp_real(film.thickness * (1.0f / 0.03f), 0.0f, 1.0f);
-    const real ior = fma(film.ior - 1.0f, t * t * (3.0f - 2.0f * t), (real)(1.0f));
+    const real ior = film.ior;
     const real inside2 = 1.0f - (1.0f - cosine * cosine) / (ior * ior);
     const real inside = safe_sqrt(inside2);
     const real top0 = f0_of_ior(ior, (real)(1.0f));

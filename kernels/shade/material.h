@@ -81,7 +81,10 @@ INLINE MaterialPoint with_reflectance(SceneView view, Surface s, MaterialPoint m
     const real least = MATERIAL_NUMBER(view, s, iridescence_thickness_minimum);
     const real most = MATERIAL_NUMBER(view, s, iridescence_thickness);
     m.film.ior = MATERIAL_NUMBER(view, s, iridescence_ior);
-    m.film.thickness = fma(MATERIAL_DATA(view, s, IRIDESCENCE_THICKNESS).y, most - least, least);
+    const real share = MATERIAL_DATA(view, s, IRIDESCENCE_THICKNESS).y;
+    m.film.thickness = fma(share, most, least * (1.0f - share));
+    const real there = clamp_real(m.film.thickness * (1.0f / 0.03f), 0.0f, 1.0f);
+    m.iridescence *= there * there * (3.0f - 2.0f * there); // a film of nothing is none
 #endif
     return m;
 }

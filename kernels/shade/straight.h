@@ -39,14 +39,18 @@ INLINE real3 straight_transmittance(SceneView view, Surface s, real3 direction, 
     const mask solid = clear & unbent & (blocks == 0u) & ((lobes >> LOBE_DIELECTRIC & 1u) != 0u);
     // As parallel faces of a slab reflect: both by the angle outside.
     const real ior = RECORD(view.materials, s.material, MaterialRecord, ior);
-    reflectance = choose(solid, fresnel_dielectric(cosine, max_real(ior, 1.0f / ior)), reflectance);
+    real faces = fresnel_dielectric(cosine, max_real(ior, 1.0f / ior));
+        #if ONDE_SPECULAR
+    faces *= m.f90;
+        #endif
+    reflectance = choose(solid, faces, reflectance);
     thin = thin | solid;
         #if ONDE_ABSORPTION
     left = choose(solid, solid_transmittance(view, s, length), left);
         #endif
     #endif
     const real share = choose(thin, clear_share(m) * (1.0f - reflectance), (real)(0.0f));
-    return scale3(mul3(m.color, left), share);
+    return scale3(mul3(m.color, left), share * left_by_layers(view, m, lobes));
 }
 #endif
 

@@ -12,6 +12,9 @@
 #define ALBEDO_TABLE (ALBEDO_MEANS + ALBEDO_ROWS) // words
 #define SHEEN_TABLE ALBEDO_TABLE                  // its first word; that of reflection is at 0
 
+// Sheen changes most towards grazing angles, however smooth: the alpha of its rows' places.
+#define SHEEN_PLACE_ALPHA 0.15f
+
 // Reflection by microfacets with a grain, along which they are rougher. The table has a block by
 // roughness across the grain, in it one by strength, in it a row by azimuth, and in it a word by
 // the cosine, whose place is that of the alpha that the azimuth sees.

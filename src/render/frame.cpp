@@ -23,11 +23,16 @@ struct Window {
 
 /// Where the plane of rays' targets lies. Beyond 2^24 times what the rays start from, the lens and
 /// the way to it, a float's direction tells a plane from infinity no more, and its squares
-/// overflow.
+/// overflow. A pinhole's may lie anywhere: not so near to an eye far out that the digits of its
+/// place leave none for pixels.
 static float focus_distance(const Camera& camera) {
+    constexpr float NEAR = 1.0f / 16;
     const glm::vec3 origin = glm::abs(glm::vec3(camera.camera_to_world[3]));
-    const float from = std::max({origin.x, origin.y, origin.z, camera.aperture_radius});
-    return std::min(camera.focus_distance, std::max(1e12f, from * float(1 << 24)));
+    const float out = std::max({origin.x, origin.y, origin.z});
+    const float from = std::max(out, camera.aperture_radius);
+    const bool any = camera.aperture_radius == 0 && !camera.orthographic_height;
+    const float focus = any && camera.focus_distance < NEAR * out ? out : camera.focus_distance;
+    return std::min(focus, std::max(1e12f, from * float(1 << 24)));
 }
 
 static Window view_window(const Camera& camera, glm::vec2 pixels) {

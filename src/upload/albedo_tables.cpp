@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace onde {
 namespace {
@@ -61,17 +62,20 @@ AlbedoNumbers mix(std::span<const uint32_t> words, uint32_t i, uint32_t step, do
             std::lerp(number(i, 16), number(i + step, 16), t)};
 }
 
-/// Fills a table by number(cosine, alpha).
+/// Fills a table by number(cosine, alpha). placed: the alpha of the places in its rows, where that
+/// is not their own.
 template <class Number>
-void fill_table(std::span<uint32_t> table, const Number& number) {
+void fill_table(std::span<uint32_t> table, const Number& number,
+                std::optional<double> placed = {}) {
     tbb::parallel_for(0u, ALBEDO_ROWS, [&](uint32_t row) {
         const double alpha = alpha_of(row);
         for (uint32_t column = 0; column < ALBEDO_COLUMNS; column++)
-            table[row * ALBEDO_COLUMNS + column] =
-                word_of_two(number(cosine_at(column, ALBEDO_COLUMNS, alpha), alpha));
+            table[row * ALBEDO_COLUMNS + column] = word_of_two(
+                number(cosine_at(column, ALBEDO_COLUMNS, placed.value_or(alpha)), alpha));
         // Of what the kernels will read, so that what is lost and what comes back are the same.
         constexpr int STEPS = 256;
-        const double own = double(row) / (ALBEDO_ROWS - 1) * (double(row) / (ALBEDO_ROWS - 1));
+        const double own =
+            placed ? *placed : double(row) / (ALBEDO_ROWS - 1) * (double(row) / (ALBEDO_ROWS - 1));
         AlbedoNumbers sum{0, 0};
         for (int i = 0; i < STEPS; i++) {
             const double cosine = (i + 0.5) / STEPS;
@@ -127,9 +131,12 @@ void fill_grain(std::span<uint32_t> table) {
 }
 
 void fill_sheen(std::span<uint32_t> table) {
-    fill_table(table, [](double cosine, double alpha) {
-        return AlbedoNumbers{sheen_albedo(cosine, alpha), 0};
-    });
+    fill_table(
+        table,
+        [](double cosine, double alpha) {
+            return AlbedoNumbers{sheen_albedo(cosine, alpha), 0};
+        },
+        double(SHEEN_PLACE_ALPHA));
 }
 
 /// Of what glass loses, the part that is given back: quadrature across the edge of total

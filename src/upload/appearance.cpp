@@ -126,7 +126,9 @@ MaterialFeatures features_of(const Material& m) {
     features.albedos =
         mixed || thin || features.anisotropy || (may_be_rough && lobes & bit(LOBE_GLOSSY));
     features.index = mixed && m.ior != 1.5f;
-    features.specular = mixed && (m.specular != 1 || m.specular_color != glm::vec3(1));
+    features.specular =
+        mixed && (m.specular != 1 || m.specular_color != glm::vec3(1) ||
+                  m.specular_texture != NO_TEXTURE || m.specular_color_texture != NO_TEXTURE);
     features.iridescence = mixed && m.iridescence > 0;
     features.edges = lobes & bit(LOBE_GLOSSY) && m.edge_tint != glm::vec3(1);
     features.inner = mixed && m.inner_reflection > 0;

@@ -179,13 +179,13 @@ double sheen_albedo(double cosine, double alpha) {
     double sum = 0;
     for (int i = 0; i < POLAR; i++)
         for (int j = 0; j < AROUND; j++) {
-            // Evenly by the square of the sine: the cosine is in the weights.
-            const double sine2 = (i + 0.5) / POLAR, in = std::sqrt(1 - sine2);
+            // Evenly by the root of the cosine: fibres shine at grazing angles.
+            const double root = (i + 0.5) / POLAR, in = root * root, sine2 = 1 - in * in;
             const double x = std::sqrt(sine2) * std::cos((j + 0.5) / AROUND * M_PI) + sine;
             const double y2 = sine2 - (x - sine) * (x - sine), up = in + cosine;
             const double h2 = up * up / (x * x + y2 + up * up);
             const double d = (2 + inverse) * std::pow(1 - h2, 0.5 * inverse) / (2 * M_PI);
-            sum += d * 0.25 / (in + cosine - in * cosine);
+            sum += 4 * root * in * d * 0.25 / (in + cosine - in * cosine);
         }
     return sum * M_PI / (POLAR * AROUND);
 }

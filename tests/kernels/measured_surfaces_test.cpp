@@ -60,3 +60,54 @@ TEST_CASE("a coat that sends light back makes colours deeper, but for black and 
               Approx(without[c][0] * 0.4 / (1 - 0.6 * double(color[glm::length_t(c)]))));
     CHECK(without[1][0] > 0.1f);
 }
+
+TEST_CASE("white bodies under fibres and under films return all light, in every colour") {
+    std::vector<Surface> surfaces;
+    for (const float roughness : {0.0f, 0.1f, 0.2f, 0.5f, 1.0f}) {
+        Surface fibres = bsdf::mix(0.25f, 0, glm::vec3(1));
+        fibres.name += fmt::format(", sheen {}", roughness);
+        fibres.material.sheen_color = glm::vec3(1);
+        fibres.material.sheen_roughness = roughness;
+        surfaces.push_back(fibres);
+    }
+    for (const float thickness : {0.0f, 300.0f, 400.0f, 700.0f})
+        for (const float ior : {1.3f, 1.8f}) {
+            Surface film = bsdf::mix(0, 0, glm::vec3(1));
+            film.name += fmt::format(", film {} {}", thickness, ior);
+            film.material.iridescence = 1;
+            film.material.iridescence_ior = ior;
+            film.material.iridescence_thickness = thickness;
+            surfaces.push_back(film);
+        }
+    Bsdfs bsdfs = on_device(std::move(surfaces));
+    for (const Surface& surface : bsdfs.surfaces())
+        for (const double cosine : {1.0, 0.7, 0.4, 0.2, 0.1}) {
+            INFO(surface.name << ", cosine " << cosine);
+            constexpr size_t COUNT = 1 << 15;
+            const glm::vec3 wo(std::sqrt(1 - cosine * cosine), 0, cosine);
+            const Samples samples = sample(bsdfs, surface, wo, COUNT, 9);
+            glm::dvec3 sum(0), squares(0);
+            for (size_t i = 0; i < COUNT; i++) {
+                if (samples.valid[i] == 0) continue;
+                const glm::dvec3 weight(samples.weight[i]);
+                sum += weight / double(COUNT);
+                squares += weight * weight / double(COUNT);
+            }
+            const glm::dvec3 error = glm::sqrt(glm::max(squares - sum * sum, 0.0) / double(COUNT));
+            for (glm::length_t c = 0; c < 3; c++) {
+                CHECK(sum[c] > 0.99 - 4 * error[c]);
+                CHECK(sum[c] < 1 + 1e-4 + 4 * error[c]);
+            }
+        }
+}
+
+TEST_CASE("what textures alone make specular is compiled") {
+    Material m;
+    m.kind = MaterialKind::metallic_roughness;
+    CHECK_FALSE(features_of(m).specular);
+    m.specular_texture = 0;
+    CHECK(features_of(m).specular);
+    m.specular_texture = NO_TEXTURE;
+    m.specular_color_texture = 0;
+    CHECK(features_of(m).specular);
+}

@@ -88,6 +88,27 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("varnish on a thin wall keeps its share of what goes straight through") {
+    for (const double cosine : {1.0, 0.3}) {
+        Material varnished = clear(MaterialKind::metallic_roughness, true);
+        varnished.clearcoat = 1;
+        Room room(varnished);
+        room.add_sun(float(cosine));
+        const double coat = 0.04 + 0.96 * std::pow(1 - cosine, 5);
+        const glm::dvec3 share = share_of_sun(room.scene, cosine);
+        INFO(share.x << " at " << cosine);
+        CHECK(share.x == Approx((1 - coat) * (1 - fresnel(cosine, 1.5))).epsilon(0.005));
+    }
+}
+
+TEST_CASE("specular dims what a pane reflects, and lets the rest through") {
+    Material dim = clear(MaterialKind::metallic_roughness, true);
+    dim.specular = 0.25f;
+    Room room(dim);
+    room.add_sun(0.3f);
+    check_share(share_of_sun(room.scene, 0.3), glm::dvec3(1 - 0.25 * fresnel(0.3, 1.5)));
+}
+
 TEST_CASE("through a solid it shines unbent, less by both faces and by what is absorbed inside") {
     Material glass = clear(MaterialKind::dielectric, false);
     const glm::vec3 left(0.8f, 0.5f, 0.1f);

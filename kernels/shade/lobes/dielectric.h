@@ -15,6 +15,9 @@ typedef struct {
 #if ONDE_TRANSMISSION
     real share; // of the surface that is clear
 #endif
+#if ONDE_SPECULAR
+    real specular; // of what is reflected, but for what must be
+#endif
 #if ONDE_DISPERSION
     mask disperses; // eta is that of the wavelength
     mask inside;    // the directions above are
@@ -79,6 +82,9 @@ INLINE DielectricLobe dielectric_load(SceneView view, MaterialPoint m) {
 #if ONDE_TRANSMISSION
     lobe.share = clear_share(m);
 #endif
+#if ONDE_SPECULAR
+    lobe.specular = m.f90;
+#endif
 #if ONDE_ROUGH_GLASS
     lobe = dielectric_losses(view, m, lobe);
 #endif
@@ -97,11 +103,15 @@ INLINE real dielectric_weight(DielectricLobe lobe, MaterialPoint m) {
 
 // What a boundary reflects of light under a cosine, which may be negative by rounding.
 INLINE real dielectric_fresnel(DielectricLobe lobe, real cosine) {
+    real eta = lobe.eta;
 #if ONDE_DISPERSION
-    return fresnel_dielectric(max_real(cosine, (real)(0.0f)), lobe.split);
-#else
-    return fresnel_dielectric(max_real(cosine, (real)(0.0f)), lobe.eta);
+    eta = lobe.split;
 #endif
+    real fresnel = fresnel_dielectric(max_real(cosine, (real)(0.0f)), eta);
+#if ONDE_SPECULAR
+    fresnel *= choose(fresnel < 1.0f, lobe.specular, (real)(1.0f));
+#endif
+    return fresnel;
 }
 
 // Refracts wo about h (dot(wo, h) >= 0); meaningless under total internal reflection.

@@ -12,14 +12,15 @@ typedef struct {
 } DiffuseLobe;
 
 // What a coat leaves to its body; none at all where it is a mirror.
-INLINE real left_by_coat(MaterialPoint m) {
-    real3 f0 = m.f0;
-#if ONDE_IRIDESCENCE
-    f0 = mix3(f0, film_fresnel(m.film, f0, (real)(1.0f)), m.iridescence);
-#endif
-    const real most = max_component3(f0);
+INLINE real3 left_by_coat(MaterialPoint m) {
+    const real most = max_component3(m.f0);
     const real reflected = schlick_albedo(m.albedo, most, m.f90) * compensation(m.albedo, most);
-    return max_real(1.0f - reflected, (real)(0.0f));
+    real3 left = splat3(max_real(1.0f - reflected, (real)(0.0f)));
+#if ONDE_IRIDESCENCE // a film leaves what it does not reflect by colour
+    const real3 film = scale3(film_fresnel(m.film, m.f0, m.cosine), m.albedo.white);
+    left = mix3(left, sub3(splat3((real)(1.0f)), film), m.iridescence);
+#endif
+    return left;
 }
 
 #if ONDE_INNER
@@ -36,13 +37,13 @@ INLINE real3 inner_color(SceneView view, MaterialPoint m) {
 #endif
 
 INLINE DiffuseLobe diffuse_load(SceneView view, MaterialPoint m) {
-    const real share = opaque_share(m, m.metallic) * (1.0f - m.behind) * left_by_coat(m);
+    const real share = opaque_share(m, m.metallic) * (1.0f - m.behind);
     const mask mixed = is_of_kind(m, MATERIAL_METALLIC_ROUGHNESS);
 #if ONDE_INNER
     m.color = choose(mixed, inner_color(view, m), m.color);
 #endif
     DiffuseLobe lobe;
-    lobe.albedo = scale3(m.color, choose(mixed, share, (real)(1.0f)));
+    lobe.albedo = choose(mixed, mul3(scale3(m.color, share), left_by_coat(m)), m.color);
     return lobe;
 }
 INLINE real diffuse_weight(DiffuseLobe lobe, MaterialPoint m) {

@@ -21,6 +21,7 @@ INLINE SheenLobe sheen_load(SceneView view, MaterialPoint m) {
     lobe.color = m.sheen_color;
     lobe.alpha = m.sheen_alpha;
     lobe.row = albedo_row((natural)(SHEEN_TABLE), lobe.alpha);
+    lobe.row.alpha = (real)(SHEEN_PLACE_ALPHA);
     lobe.albedos = view.albedos;
     return lobe;
 }

@@ -11,6 +11,9 @@ typedef struct {
     real share; // of the surface that is clear
     real alpha;
     real ior;
+#if ONDE_SPECULAR
+    real specular; // of the reflection of a face
+#endif
     mask slab;
 #if ONDE_ALBEDOS
     AlbedoRow row;
@@ -26,13 +29,20 @@ INLINE real thin_reflectance(ThinLobe lobe, real face) {
     return choose(lobe.slab, 2.0f * face / (1.0f + face), face);
 }
 INLINE real thin_fresnel(ThinLobe lobe, real cosine) {
-    return thin_reflectance(lobe, fresnel_dielectric(max_real(cosine, (real)(0.0f)), lobe.ior));
+    real face = fresnel_dielectric(max_real(cosine, (real)(0.0f)), lobe.ior);
+#if ONDE_SPECULAR
+    face *= lobe.specular;
+#endif
+    return thin_reflectance(lobe, face);
 }
 
 INLINE ThinLobe thin_load(SceneView view, MaterialPoint m) {
     ThinLobe lobe;
     lobe.tint = m.color;
     lobe.share = clear_share(m);
+#if ONDE_SPECULAR
+    lobe.specular = m.f90;
+#endif
     lobe.slab = is_of_kind(m, MATERIAL_DIELECTRIC);
     const real ior = RECORD(view.materials, m.material, MaterialRecord, ior);
     lobe.ior = max_real(ior, 1.0f / ior);

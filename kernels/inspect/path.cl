@@ -6,7 +6,7 @@
 #include "trace/trace.h"
 
 // The lobes, each chosen with its probability.
-INLINE void report_bsdf(__global BounceReport* report, Bsdf b) {
+INLINE void report_bsdf(__global BounceReport* report, SceneView view, MaterialPoint m, Bsdf b) {
 #define REPORT_LOBE(NAME, name, Type, transmits)                                                   \
     if (HAS_LOBE(NAME) && b.has.name) lobes |= 1u << LOBE_##NAME;                                  \
     report->probability[LOBE_##NAME] = HAS_LOBE(NAME) ? b.probability.name : 0.0f;
@@ -15,8 +15,9 @@ INLINE void report_bsdf(__global BounceReport* report, Bsdf b) {
 #undef REPORT_LOBE
     report->lobes = lobes;
     const uint glossy = lobes >> LOBE_GLOSSY & 1u, dielectric = lobes >> LOBE_DIELECTRIC & 1u;
-    report3(report->diffuse, lobes >> LOBE_DIFFUSE & 1u ? b.diffuse.color : zero3());
-    report3(report->f0, glossy ? b.glossy.f0 : zero3());
+    report3(report->diffuse, lobes >> LOBE_DIFFUSE & 1u ? b.diffuse.albedo : zero3());
+    m.albedo = mirror_albedo(m.cosine); // f0 is told as if no microfacet shadowed others
+    report3(report->f0, glossy ? glossy_load(view, m).f0 : zero3());
     report->alpha = glossy ? WIDEST_ALPHA(b.glossy.alpha) : dielectric ? b.dielectric.alpha : 0.0f;
     report->eta = bsdf_eta(b);
 }
@@ -35,7 +36,7 @@ INLINE void explain_bounce(SceneView view, Path path, Hits hit, Sampler sampler,
     real3 wo = to_local(basis, negate3(path.direction));
     wo.z = max_real(wo.z, (real)(1e-4f));
     const Bsdf b = material_bsdf(view, s, basis, wo);
-    report_bsdf(report, b);
+    report_bsdf(report, view, material_point(view, s, wo), b);
     if (view.frame->light_count == 0) return;
     const real choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x;
     const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT));

@@ -32,18 +32,18 @@ TEST_CASE("inspect tells of a surface what its lobes have, and nothing of others
     CHECK(lobes_of("kind = 'diffuse'\nbase_color = 0.5") == "diffuse (0.5, 0.5, 0.5)");
     CHECK(lobes_of("kind = 'conductor'\nbase_color = 0.5\nroughness = 0") ==
           "f0 (0.5, 0.5, 0.5), alpha 0");
-    // What meets several microfacets leaves by the diffuse lobe.
-    CHECK_THAT(lobes_of("kind = 'conductor'\nbase_color = 0.5\nroughness = 0.5"),
-               Catch::StartsWith("f0 (0.5, 0.5, 0.5), alpha 0.25, diffuse lobe chosen with 0.0"));
+    CHECK(lobes_of("kind = 'conductor'\nbase_color = 0.5\nroughness = 0.5") ==
+          "f0 (0.5, 0.5, 0.5), alpha 0.25");
     CHECK_THAT(lobes_of("kind = 'metallic-roughness'\nclearcoat = 1\ntransmission = 0.5\n"
                         "thin_walled = true"),
-               Catch::StartsWith("varnish, diffuse (0.4, 0.4, 0.4), ") &&
+               Catch::StartsWith("varnish, diffuse (0.39") && // what its coat leaves of 0.4
                    Catch::Contains("a thin wall"));
     CHECK(lobes_of("kind = 'dielectric'\nior = 1.5\nroughness = 0.5") ==
           "dielectric, eta 1.5, alpha 0.25");
     CHECK(lobes_of("kind = 'unlit'\nbase_color = 0.5") == "scatters no light");
     CHECK_THAT(lobes_of("kind = 'metallic-roughness'\nbase_color = 0.5\nroughness = 0.5"),
-               Catch::StartsWith("diffuse (0.5, 0.5, 0.5), f0 (0.04, 0.04, 0.04), alpha 0.25, "));
+               Catch::StartsWith("diffuse (0.48") &&
+                   Catch::Contains(" f0 (0.04, 0.04, 0.04), alpha 0.25, "));
 }
 
 TEST_CASE("inspect says where a path meets the ground under a model, and what is behind the rest") {

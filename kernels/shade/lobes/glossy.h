@@ -97,7 +97,7 @@ INLINE real glossy_weight(GlossyLobe lobe, MaterialPoint m) {
     real reflected = schlick_albedo(m.albedo, luminance3(lobe.f0), luminance3(lobe.f90));
 #if ONDE_IRIDESCENCE // a film may reflect many times as much
     const real film = luminance3(glossy_fresnel(lobe, m.cosine)) * m.albedo.white;
-    reflected = max_real(reflected, film);
+    reflected = choose(lobe.iridescence > 0.0f, film, reflected);
 #endif
     return max_real(reflected, (real)(1e-9f));
 }

@@ -119,8 +119,9 @@ INLINE Basis make_basis_along(real3 n, real3 direction) {
     const real3 s = madd3(n, -dot3(n, direction), direction);
     const real length = length3(s);
     const mask usable = length > 1e-4f;
-    basis.s = choose(usable, scale3(s, 1.0f / max_real(length, (real)(1e-20f))), basis.s);
-    basis.t = cross3(n, basis.s);
+    const real3 along = scale3(s, 1.0f / max_real(length, (real)(1e-20f)));
+    basis.t = choose(usable, cross3(n, along), basis.t);
+    basis.s = choose(usable, along, basis.s);
     return basis;
 }
 INLINE real3 to_local(Basis b, real3 v) {

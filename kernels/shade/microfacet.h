@@ -62,15 +62,27 @@ INLINE real pdf_visible_normal(real3 wo, real3 h, real alpha) {
 }
 
 // The same where there is a grain: two alphas, along it (x) and across (Heitz 2014, eqs. 85, 86).
+// Where they are one, they have the bits of the above.
+INLINE mask has_grain(real2 alpha) {
+    return alpha.x != alpha.y;
+}
 OVERLOAD real ggx_distribution(real3 h, real2 alpha) {
-    const real x = h.x / alpha.x, y = h.y / alpha.y;
-    const real k = fma(x, x, fma(y, y, h.z * h.z));
-    return 1.0f / (PI * alpha.x * alpha.y * k * k);
+    real d = ggx_distribution(h, alpha.y);
+    if_any (has_grain(alpha)) {
+        const real x = h.x / alpha.x, y = h.y / alpha.y;
+        const real k = fma(x, x, fma(y, y, h.z * h.z));
+        d = choose(has_grain(alpha), 1.0f / (PI * alpha.x * alpha.y * k * k), d);
+    }
+    return d;
 }
 OVERLOAD real ggx_lambda(real3 w, real2 alpha) {
-    const real x = alpha.x * w.x, y = alpha.y * w.y;
-    const real slope2 = fma(x, x, y * y) / (w.z * w.z);
-    return 0.5f * (sqrt(1.0f + slope2) - 1.0f);
+    real lambda = ggx_lambda(w, alpha.y);
+    if_any (has_grain(alpha)) {
+        const real x = alpha.x * w.x, y = alpha.y * w.y;
+        const real slope2 = fma(x, x, y * y) / (w.z * w.z);
+        lambda = choose(has_grain(alpha), 0.5f * (sqrt(1.0f + slope2) - 1.0f), lambda);
+    }
+    return lambda;
 }
 OVERLOAD real ggx_masking(real3 w, real2 alpha) {
     return 1.0f / (1.0f + ggx_lambda(w, alpha));

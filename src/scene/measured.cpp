@@ -45,6 +45,23 @@ void set_pane(Material& material, double index) {
     material.roughness = 0.0f;
 }
 
+bool fill(Material& material, const Medium& medium) {
+    if (material.alpha_mode == AlphaMode::mask && material.alpha == 0.0f) {
+        const std::string name = material.name;
+        material = Material{};
+        material.name = name;
+        material.kind = MaterialKind::dielectric;
+        material.base_color = glm::vec3(1.0f);
+        material.roughness = 0.0f;
+        material.ior = 1.0f;
+    }
+    const bool mixed =
+        material.kind == MaterialKind::metallic_roughness && material.transmission > 0.0f;
+    if (material.kind != MaterialKind::dielectric && !mixed) return false;
+    material.medium = medium;
+    return true;
+}
+
 double conductor_reflectance(double cosine, double eta, double k) {
     const double c2 = cosine * cosine, s2 = 1.0 - c2;
     const double real = eta * eta - k * k - s2;

@@ -16,6 +16,10 @@ void set_plastic(Material& material, double index);
 /// A pane of that index, a slab whose faces are parallel.
 void set_pane(Material& material, double index);
 
+/// Fills what a material's closed surface encloses. One that lets rays pass altogether becomes the
+/// boundary of the medium. False where no light gets in.
+bool fill(Material& material, const Medium& medium);
+
 /// What a conductor of that complex index reflects, under a cosine.
 double conductor_reflectance(double cosine, double eta, double k);
 /// How far that is at 82 degrees, where cosines are 1/7, from what Schlick's formula says.

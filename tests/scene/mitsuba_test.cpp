@@ -159,6 +159,25 @@ TEST_CASE("BSDFs become the nearest materials") {
     CHECK(blended.materials.at(*first.blend_with).kind == MaterialKind::conductor);
 }
 
+TEST_CASE("media are inside of shapes and around the sensor") {
+    const Scene scene =
+        load("<medium type='homogeneous' id='m'><rgb name='albedo' value='.25,.5,1'/><float "
+             "name='sigma_t' value='2'/><float name='scale' value='3'/><phase type='hg'><float "
+             "name='g' value='.4'/></phase></medium><shape type='rectangle'><bsdf type='null'/>"
+             "<ref id='m' name='interior'/></shape><sensor type='perspective'><medium "
+             "type='homogeneous' name='exterior'><float name='sigma_t' value='.5'/></medium>"
+             "</sensor>");
+    const Material& m = material(scene);
+    REQUIRE(m.medium);
+    CHECK(m.kind == MaterialKind::dielectric);
+    CHECK(m.ior == 1.0f);
+    check_near(m.medium->scattering, {1.5f, 3.0f, 6.0f});
+    check_near(m.medium->absorption, {4.5f, 3.0f, 0.0f});
+    CHECK(m.medium->anisotropy == 0.4f);
+    check_near(scene.medium.scattering, glm::vec3(0.375f));
+    check_near(scene.medium.absorption, glm::vec3(0.125f));
+}
+
 TEST_CASE("textures show their first row where v is 0, as Mitsuba's do") {
     const Scene scene =
         load("<shape type='obj'><string name='filename' value='meshes/tri.obj'/><bsdf "
@@ -246,7 +265,12 @@ TEST_CASE("what is wrong or unknown in a Mitsuba file costs its part and a note"
              {"<shape type='sphere'><ref id='none'/></shape>", "ids that there are not"},
              {"<shape type='sphere'><float name='radius' value='x'/></shape>",
               "Values that are none"},
-             {"<medium type='homogeneous'/>", "left out (medium)"},
+             {"<shape type='sphere'><bsdf type='null'/><medium type='heterogeneous' "
+              "name='interior'/></shape>",
+              "not homogeneous"},
+             {"<shape type='sphere'><bsdf type='diffuse'/><medium type='homogeneous' "
+              "name='interior'/></shape>",
+              "lets no light in"},
              {"<emitter type='projector'/>", "kinds that Onde does not have"},
              {"<shape type='sphere'><bsdf type='hair'/></shape>", "diffuse grey"},
              {"<shape type='sphere'><transform name='to_world'><rotate "

@@ -173,6 +173,33 @@ TEST_CASE("materials become the nearest that there are") {
     CHECK(material_of("Material \"interface\"").alpha == 0.0f);
 }
 
+TEST_CASE("media are inside of shapes and around the camera") {
+    const std::string media =
+        "MakeNamedMedium \"smoke\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [ 1 2 3 ] \"rgb "
+        "sigma_s\" [ 4 5 6 ] \"float scale\" .5 \"float g\" -.3\n"
+        "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" 0 \"rgb sigma_s\" "
+        "[ .1 .1 .1 ]\n";
+    const Scene scene = load(media +
+                             "MediumInterface \"\" \"fog\"\nCamera \"perspective\"\n"
+                             "WorldBegin\nMaterial \"interface\"\n"
+                             "MediumInterface \"smoke\" \"fog\"\n" +
+                             TRIANGLE);
+    const Material& m = material(scene);
+    REQUIRE(m.medium);
+    CHECK(m.kind == MaterialKind::dielectric);
+    CHECK(m.ior == 1.0f);
+    check_near(m.medium->absorption, {0.5f, 1.0f, 1.5f});
+    check_near(m.medium->scattering, {2.0f, 2.5f, 3.0f});
+    CHECK(m.medium->anisotropy == -0.3f);
+    check_near(scene.medium.scattering, glm::vec3(0.1f));
+    CHECK(has_note(
+        load(media + "WorldBegin\nMaterial \"diffuse\"\nMediumInterface \"smoke\"\n" + TRIANGLE),
+        "lets no light in"));
+    CHECK(has_note(load("WorldBegin\nMediumInterface \"none\"\n" + TRIANGLE), "not defined"));
+    CHECK(has_note(load("MakeNamedMedium \"c\" \"string type\" \"cloud\"\nWorldBegin\n" + TRIANGLE),
+                   "not homogeneous"));
+}
+
 TEST_CASE("materials may be named before they are defined, and mixed") {
     const Scene scene =
         load("WorldBegin\nNamedMaterial \"a\"\n" + TRIANGLE +

@@ -51,6 +51,19 @@ TEST_CASE("values of the wrong type are refused with their key") {
         check_refused(c);
 }
 
+TEST_CASE("blends and media that can't be are refused") {
+    const std::string material = SPHERE + "[[material]]\nname = \"a\"\n";
+    check_refused({material + "blend_with = \"b\"\n", {"material[0].blend_with", "'b'"}});
+    check_refused({material + "blend_with = \"a\"\n", {"blend_with", "another material"}});
+    check_refused(
+        {material + "medium = { scattering = 1 }\n", {"'a'", "medium needs a clear kind"}});
+    check_refused({material + "kind = \"dielectric\"\nmedium = { scatering = 1 }\n",
+                   {"medium.scatering", "'scattering'"}});
+    check_refused(
+        {SPHERE + "[medium]\nscattering = -1\n", {"medium.scattering", "must not be negative"}});
+    check_refused({SPHERE + "[medium]\nanisotropy = 1\n", {"medium.anisotropy", "0.99"}});
+}
+
 TEST_CASE("values out of range are refused with what is allowed") {
     for (const Case& c : std::vector<Case>{
              {SPHERE + "radius = -1\n", {"shape[0].radius", "above 0", "-1"}},

@@ -73,6 +73,40 @@ TEST_CASE("materials keep their values and shapes find them by name") {
     CHECK(gold.roughness == 0.2f);
 }
 
+TEST_CASE("media are inside of materials and around all, and materials are blended by name") {
+    const Scene scene = load_toml_text(R"(
+[medium]
+scattering = 0.25
+[[material]]
+name = "rust"
+blend_with = "paint"
+blend = 0.75
+[[material]]
+name = "paint"
+anisotropy = 0.5
+anisotropy_rotation = 90
+dispersion = 0.4
+[[material]]
+name = "smoke"
+kind = "dielectric"
+ior = 1
+medium = { scattering = [1, 2, 3], absorption = 0.5, anisotropy = -0.25 }
+[[shape]]
+type = "sphere"
+material = "rust"
+)");
+    CHECK(scene.medium.scattering == glm::vec3(0.25f));
+    CHECK(scene.medium.absorption == glm::vec3(0));
+    CHECK(scene.materials[0].blend_with == std::optional(1u));
+    CHECK(scene.materials[0].blend == 0.75f);
+    CHECK(scene.materials[1].anisotropy == 0.5f);
+    CHECK(scene.materials[1].anisotropy_rotation == Approx(std::acos(0.0)));
+    CHECK(scene.materials[1].dispersion == 0.4f);
+    REQUIRE(scene.materials[2].medium);
+    CHECK(scene.materials[2].medium->scattering == glm::vec3(1, 2, 3));
+    CHECK(scene.materials[2].medium->anisotropy == -0.25f);
+}
+
 TEST_CASE("glass and mirrors are smooth unless the file says otherwise") {
     const Scene scene = load_toml_text("[[material]]\nname = \"g\"\nkind = \"dielectric\"\n"
                                        "[[material]]\nname = \"d\"\n" +

@@ -20,7 +20,9 @@ void Reader::add(const Element& element) {
     if (element.tag == "sensor") return read_sensor(element);
     if (element.tag == "emitter") return add_emitter(element);
     if (element.tag == "shape") return add_shape(element, nullptr);
-    if (element.tag == "bsdf" || element.tag == "texture") return; // for those who refer to it
+    if (element.tag == "bsdf" || element.tag == "texture" || element.tag == "medium" ||
+        element.tag == "phase")
+        return; // for those who refer to it
     notes_.add("Other elements of scenes are left out", element.tag);
 }
 
@@ -61,6 +63,9 @@ std::vector<FileWord> plugin_words() {
         {"spot", "a light that fades toward its rim as glTF's do, with a note"},
         {"constant", "the environment"},
         {"envmap", "the environment"},
+        {"homogeneous",
+         "what is inside of a shape, or around a sensor; other media are left out, with a note"},
+        {"hg", "how a medium scatters; others scatter evenly, with a note"},
         {"obj", "the mesh alone"},
         {"ply", "the mesh alone"},
         {"stl", "the mesh alone"},

@@ -26,7 +26,7 @@ class Reader {
     using Parts = std::vector<Part>;
     /// What a surface looks like: its BSDF and the emitter on it, or null.
     struct Look {
-        const Element *bsdf, *emitter;
+        const Element *bsdf, *emitter, *medium;
 
         auto operator<=>(const Look&) const = default;
     };
@@ -57,6 +57,7 @@ class Reader {
     void add_cylinder(const Element& shape, Parts* group);
     void place(const Part& part, Parts* group);
     uint32_t material_of(const Element& shape);
+    std::optional<Medium> medium_of(const Element* element);
 
     LoadContext& context_;
     std::string name_;

@@ -1,5 +1,6 @@
 // Shapes of Mitsuba's files.
 #include "core/error.h"
+#include "scene/measured.h"
 #include "scene/mesh_parts.h"
 #include "scene/mitsuba/reader.h"
 #include "scene/shapes.h"
@@ -26,7 +27,8 @@ void Reader::place(const Part& part, Parts* group) {
 uint32_t Reader::material_of(const Element& shape) {
     const Element* emitter = document_.child(shape, "emitter");
     if (emitter && (*emitter)["type"] != "area") emitter = nullptr;
-    const Look look{document_.child(shape, "bsdf"), emitter};
+    const Element* medium = document_.child(shape, "medium");
+    const Look look{document_.child(shape, "bsdf"), emitter, medium};
     std::vector<Material>& materials = scene_.assets().materials;
     if (const auto known = looks_.find(look); known != looks_.end()) return known->second;
     context_.spend(2, sizeof(Material), name_);
@@ -35,8 +37,36 @@ uint32_t Reader::material_of(const Element& shape) {
         material.emission = strength(*emitter, "radiance");
         material.two_sided = false;
     }
+    if (const auto inside = medium_of(medium); inside && !fill(material, *inside))
+        notes_.add("Media inside of what lets no light in are left out", medium->where);
     materials.push_back(std::move(material));
     return looks_[look] = uint32_t(materials.size() - 1);
+}
+
+std::optional<Medium> Reader::medium_of(const Element* element) {
+    if (!element) return std::nullopt;
+    if ((*element)["type"] != "homogeneous") {
+        notes_.add("Media that are not homogeneous are left out", element->where);
+        return std::nullopt;
+    }
+    const Values values(document_, *element);
+    const double scale = values.number("scale", 1.0);
+    const auto color = [&](std::string_view name, double absent) {
+        return values.color(name).value_or(glm::dvec3(values.number(name, absent)));
+    };
+    const glm::dvec3 rate = glm::clamp(color("sigma_t", 1.0) * scale, 0.0, 1e30);
+    const glm::dvec3 albedo = glm::clamp(color("albedo", 0.75), 0.0, 1.0);
+    Medium medium;
+    medium.scattering = glm::vec3(rate * albedo);
+    medium.absorption = glm::vec3(rate * (1.0 - albedo));
+    if (const Element* phase = document_.child(*element, "phase")) {
+        if ((*phase)["type"] == "hg")
+            medium.anisotropy =
+                float(std::clamp(Values(document_, *phase).number("g", 0.8), -0.99, 0.99));
+        else if ((*phase)["type"] != "isotropic")
+            notes_.add("Phase functions other than hg scatter evenly", phase->where);
+    }
+    return medium;
 }
 
 void Reader::add_shape(const Element& shape, Parts* group) {

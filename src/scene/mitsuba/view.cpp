@@ -107,6 +107,8 @@ void Reader::read_sensor(const Element& sensor) {
     if (!(volume > 0.0) || !std::isfinite(volume))
         return notes_.wrong("Sensors whose transform has no inverse are left out", sensor.where);
     camera_to_world_ = to_world;
+    if (const auto around = medium_of(document_.child(sensor, "medium")))
+        scene_.assets().medium = *around;
     Camera camera;
     set_view(sensor, camera);
     // Mitsuba's camera has +X to the left and looks along +Z.

@@ -59,8 +59,10 @@ const Reader::Directive Reader::DIRECTIVES[] = {
     {"Shape", &Reader::shape,
      "`trianglemesh`, `plymesh`, `sphere`, `disk`, `cylinder`, `bilinearmesh` and `loopsubdiv` by "
      "their corners; others are left out, with a note"},
-    {"MakeNamedMedium", &Reader::make_named_medium, NOTED},
-    {"MediumInterface", &Reader::medium_interface, NOTED}};
+    {"MakeNamedMedium", &Reader::make_named_medium,
+     "`homogeneous`; others are left out, with a note"},
+    {"MediumInterface", &Reader::medium_interface,
+     "what is inside of shapes that let light in, and around the camera"}};
 
 Reader::Reader(const fs::path& path, LoadContext& context)
     : path_(path), name_(path.string()), context_(context), cost_(context, name_),
@@ -195,6 +197,7 @@ void Reader::camera() {
     if (!(volume > 0.0) || !std::isfinite(volume)) fail("has a transform without an inverse");
     if (camera_to_world_) return notes_.wrong("Of several cameras the first counts");
     camera_to_world_ = to_world;
+    around_camera_ = state_.outside;
     glm::dmat4 looks_back = to_world;
     looks_back[2] = -looks_back[2];
     scene_.place_camera(camera_of(kind, p, scene_.assets().settings, notes_), looks_back);

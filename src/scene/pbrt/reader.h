@@ -30,9 +30,10 @@ class Reader {
     struct State {
         glm::dmat4 transform{1.0};
         bool is_reversed = false;
-        uint32_t material = 0;   ///< of materials_
-        int64_t area_light = -1; ///< of area_lights_
-        bool moves_start = true; ///< whether transforms are those of the shutter's opening
+        uint32_t material = 0;           ///< of materials_
+        int64_t area_light = -1;         ///< of area_lights_
+        std::string inside{}, outside{}; ///< media
+        bool moves_start = true;         ///< whether transforms are those of the shutter's opening
     };
     struct Directive {
         std::string_view name;
@@ -53,6 +54,7 @@ class Reader {
         int64_t area_light = -1;
         double alpha = 1.0;
         std::string alpha_texture{};
+        std::string inside{}; ///< a medium
 
         auto operator<=>(const Look&) const = default;
     };
@@ -124,6 +126,7 @@ class Reader {
     void add_disk(const Parameters& parameters);
     void add_cylinder(const Parameters& parameters);
     uint32_t number_of_material(const std::string& name);
+    const Medium* find_medium(const std::string& name);
     void convert_looks();
     void add_opacity(const Look& look, Material& material);
     void report();
@@ -151,6 +154,8 @@ class Reader {
     MaterialSources materials_;
     std::map<std::string, uint32_t> material_of_name_;
     std::vector<AreaLight> area_lights_;
+    std::map<std::string, Medium> media_;
+    std::string around_camera_;      ///< a medium
     std::map<Look, uint32_t> looks_; ///< to materials of the scene
     struct KnownMesh {
         uint32_t mesh;

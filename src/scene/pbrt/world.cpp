@@ -3,6 +3,8 @@
 #include "scene/mesh_file.h"
 #include "scene/opacity.h"
 #include "scene/pbrt/reader.h"
+
+#include "scene/measured.h"
 #include "scene/pbrt/shape.h"
 #include "scene/references.h"
 #include "scene/tube.h"
@@ -32,6 +34,7 @@ Reader::Look Reader::look(const Parameters& p) {
         look.area_light = -1;
     }
     if (const auto texture = p.texture("alpha")) look.alpha_texture = *texture;
+    look.inside = state_.inside;
     look.alpha = std::clamp(p.number("alpha").value_or(1.0), 0.0, 1.0);
     return look;
 }
@@ -194,6 +197,7 @@ void Reader::add_opacity(const Look& look, Material& material) {
 }
 
 void Reader::convert_looks() {
+    if (const Medium* medium = find_medium(around_camera_)) scene_.assets().medium = *medium;
     const FindMaterial find = [&](const std::string& name) {
         const auto found = material_of_name_.find(name);
         return found == material_of_name_.end() ? -1 : int64_t(found->second);
@@ -212,6 +216,8 @@ void Reader::convert_looks() {
             material.two_sided = light.two_sided;
         }
         add_opacity(look, material);
+        if (const Medium* medium = find_medium(look.inside); medium && !fill(material, *medium))
+            notes_.add("Media inside of what lets no light in are left out", look.inside);
         materials[index] = std::move(material);
     }
 }

@@ -6,6 +6,7 @@
 #ifndef ONDE_PATH_GROUND_H
 #define ONDE_PATH_GROUND_H
 
+#include "path/state.h"
 #include "shade/fresnel.h"
 #include "shade/light.h"
 #include "shade/microfacet.h"
@@ -75,6 +76,42 @@ OUTLINED Ground ground_at(SceneView view, real3 origin, real3 direction, real ch
     return g;
 }
 
+// What the paths in `lanes`, which have met no surface, see of the ground.
+INLINE void path_ground(SceneView view, Path path, Sampler sampler, uint bounce, mask lanes,
+                        PathVertex* result) {
+    const mask ground = lanes & sees_ground(view, path.origin, path.direction, path.pdf);
+    if (!mask_bits(ground)) return;
+    const Ground g =
+        ground_at(view, path.origin, path.direction,
+                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x,
+                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT)),
+                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_DIRECTION)), ground);
+    const real3 left = sub3(splat3((real)(1.0f)), g.kept);
+    result->emitted = choose(ground, mul3(result->emitted, left), result->emitted);
+    result->tested = g.tested;
+    #if ONDE_AOVS
+    const real3 alpha = splat3((g.kept.x + g.kept.y + g.kept.z) * (1.0f / 3.0f));
+    result->aovs.alpha = choose(ground, alpha, result->aovs.alpha);
+    #endif
+    if (bounce + 1 >= view.frame->max_depth) return;
+    Path next;
+    next.origin = g.position;
+    next.direction = g.direction;
+    next.throughput = scale3(path.throughput, g.reflectance);
+    next.pdf = (real)(GROUND_PDF);
+    const mask alive = ground & (g.direction.y > 0.0f);
+    result->alive = result->alive | path_roulette(&next, sampler, bounce, alive);
+    result->next.origin = choose(ground, next.origin, result->next.origin);
+    result->next.direction = choose(ground, next.direction, result->next.direction);
+    result->next.throughput = choose(ground, next.throughput, result->next.throughput);
+    result->next.pdf = choose(ground, next.pdf, result->next.pdf);
+    #if ONDE_PANES
+    result->next.passed = choose(ground, (real)(0.0f), result->next.passed);
+    #endif
+    #if ONDE_TRAIL
+    result->next.mirrored = choose(ground, (natural)(0u), result->next.mirrored);
+    #endif
+}
 #endif
 
 #endif

@@ -4,10 +4,10 @@
 #ifndef ONDE_PATH_PATH_H
 #define ONDE_PATH_PATH_H
 
-#include "path/aovs.h"
 #include "path/ground.h"
 #include "path/motion.h"
-#include "shade/camera.h"
+#include "path/scatter.h"
+#include "path/state.h"
 #include "shade/connection.h"
 #include "shade/light.h"
 #include "shade/passing.h"
@@ -17,86 +17,6 @@
 #ifndef ONDE_BACKGROUND
     #define ONDE_BACKGROUND 1
 #endif
-
-#if ONDE_TRAIL
-    #define PATH_TRAIL TRAIL_COLUMNS
-#else
-    #define PATH_TRAIL NO_COLUMNS
-#endif
-#if ONDE_PANES
-    #define PATH_PANES PANE_COLUMNS
-#else
-    #define PATH_PANES NO_COLUMNS
-#endif
-#if ONDE_LIGHT_TREE
-    #define PATH_RECEIVER RECEIVER_COLUMNS
-#else
-    #define PATH_RECEIVER NO_COLUMNS
-#endif
-#if ONDE_DISPERSION
-    #define PATH_WAVE WAVE_COLUMNS
-#else
-    #define PATH_WAVE NO_COLUMNS
-#endif
-#if ONDE_MEDIA
-    #define PATH_MEDIA MEDIA_COLUMNS
-#else
-    #define PATH_MEDIA NO_COLUMNS
-#endif
-#define PATH_STATE(VECTOR, REAL, NATURAL)                                                          \
-    PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                            \
-    PATH_TRAIL(VECTOR, REAL, NATURAL)                                                              \
-    PATH_RECEIVER(VECTOR, REAL, NATURAL)                                                           \
-    PATH_PANES(VECTOR, REAL, NATURAL)                                                              \
-    PATH_WAVE(VECTOR, REAL, NATURAL) PATH_MEDIA(VECTOR, REAL, NATURAL)
-COLUMNS_TYPE(Path, PATH_STATE);
-#if ONDE_MEDIA
-COLUMNS_CHOICE(Path, PATH_STATE)
-#endif
-
-typedef struct {
-    real3 emitted;         // radiance found at this vertex
-    Connection connection; // light sampled from here, for the path's own sum
-    Path next;
-    mask alive; // whether `next` goes on
-#if ONDE_GROUPS
-    natural group; // of lights, of what was found
-#endif
-#if ONDE_AOVS
-    Aovs aovs;   // those of rays and surfaces at the first vertex, guides where `guided`
-    mask guided; // whether this is the vertex that guides
-#endif
-#if ONDE_GROUND
-    uint tested; // rays to lights of the ground, by lane
-#endif
-} PathVertex;
-
-INLINE Path path_start(__global const FrameRecord* frame, natural pixel, Sampler sampler) {
-    const CameraRay ray = camera_ray(frame, pixel, sampler);
-    Path path;
-    path.origin = ray.origin;
-    path.direction = ray.direction;
-    path.throughput = splat3((real)(1.0f));
-    path.pdf = (real)(0.0f);
-#if ONDE_PANES
-    path.passed = (real)(0.0f);
-#endif
-#if ONDE_DISPERSION
-    path.dispersed = (natural)(0u);
-#endif
-#if ONDE_MEDIA
-    path.media = (natural)(MEDIUM_AROUND);
-#endif
-#if ONDE_LIGHT_TREE
-    path.normal = zero3();
-#endif
-#if ONDE_TRAIL
-    path.diffuse = zero3();
-    path.transmitted = (real)(0.0f);
-    path.mirrored = (natural)(1u);
-#endif
-    return path;
-}
 
 // The weight of light found by following the BSDF, against sampling the light.
 INLINE real found_weight(real bsdf_pdf, real light_pdf) {
@@ -187,53 +107,6 @@ INLINE Connection path_connection(SceneView view, Path path, Vertex v, Sampler s
 #endif
     return ray;
 }
-
-// Ends paths that carry little; the survivors carry more.
-INLINE mask path_roulette(Path* path, Sampler sampler, uint bounce, mask lanes) {
-    const real survival = roulette_survival(path->throughput);
-    const real u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_ROULETTE)).x;
-    path->throughput = scale3(path->throughput, 1.0f / survival);
-    return lanes & (u < survival);
-}
-
-#if ONDE_GROUND
-// What the paths in `lanes`, which have met no surface, see of the ground.
-INLINE void path_ground(SceneView view, Path path, Sampler sampler, uint bounce, mask lanes,
-                        PathVertex* result) {
-    const mask ground = lanes & sees_ground(view, path.origin, path.direction, path.pdf);
-    if (!mask_bits(ground)) return;
-    const Ground g =
-        ground_at(view, path.origin, path.direction,
-                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x,
-                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT)),
-                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_DIRECTION)), ground);
-    const real3 left = sub3(splat3((real)(1.0f)), g.kept);
-    result->emitted = choose(ground, mul3(result->emitted, left), result->emitted);
-    result->tested = g.tested;
-    #if ONDE_AOVS
-    const real3 alpha = splat3((g.kept.x + g.kept.y + g.kept.z) * (1.0f / 3.0f));
-    result->aovs.alpha = choose(ground, alpha, result->aovs.alpha);
-    #endif
-    if (bounce + 1 >= view.frame->max_depth) return;
-    Path next;
-    next.origin = g.position;
-    next.direction = g.direction;
-    next.throughput = scale3(path.throughput, g.reflectance);
-    next.pdf = (real)(GROUND_PDF);
-    const mask alive = ground & (g.direction.y > 0.0f);
-    result->alive = result->alive | path_roulette(&next, sampler, bounce, alive);
-    result->next.origin = choose(ground, next.origin, result->next.origin);
-    result->next.direction = choose(ground, next.direction, result->next.direction);
-    result->next.throughput = choose(ground, next.throughput, result->next.throughput);
-    result->next.pdf = choose(ground, next.pdf, result->next.pdf);
-    #if ONDE_PANES
-    result->next.passed = choose(ground, (real)(0.0f), result->next.passed);
-    #endif
-    #if ONDE_TRAIL
-    result->next.mirrored = choose(ground, (natural)(0u), result->next.mirrored);
-    #endif
-}
-#endif
 
 #if ONDE_TRAIL
 // The paths in `lanes` are guided by the surface that they have met, which they may see in mirrors.
@@ -360,74 +233,6 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     }
     return result;
 }
-
-#if ONDE_MEDIA
-// The paths in `lanes`, which are scattered on their way: at a distance along it.
-INLINE void path_scatter(SceneView view, Path path, real at, Sampler sampler, uint bounce,
-                         mask lanes, PathVertex* result) {
-    if (!mask_bits(lanes)) return;
-    const real3 position = madd3(path.direction, at, path.origin);
-    const natural medium = medium_within(path.media);
-    const real anisotropy = RECORD(view.media, medium, MediumRecord, anisotropy);
-    #if ONDE_AOVS
-    const real3 color = guide_color(path.throughput);
-    result->aovs.alpha = choose(lanes, splat3((real)(1.0f)), result->aovs.alpha);
-    #endif
-    #if ONDE_TRAIL
-    const mask guided = lanes & (path.mirrored != 0u);
-    result->aovs.denoise_albedo = choose(guided, color, result->aovs.denoise_albedo);
-    result->guided = result->guided | guided;
-    #endif
-    if (bounce + 1 >= view.frame->max_depth) return;
-    const real2 choice = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE));
-    if (view.frame->light_count > 0) {
-        const real2 u = sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT));
-        const LightSample light =
-            light_sample(view, receiver_at(position, zero3()), choice.x, u, lanes);
-        const real phase = phase_value(dot3(light.direction, path.direction), anisotropy);
-        const real weight =
-            choose(light.delta, (real)(1.0f), power_heuristic(light.pdf, phase)) / light.pdf;
-        Connection ray = no_connection();
-        ray.value = mul3(path.throughput, scale3(light.radiance, weight * phase));
-        const mask useful = lanes & light.valid & nonzero3(light.radiance);
-        ray.origin = position;
-        ray.direction = light.direction;
-        const mask finite = light.distance < INFINITE_DISTANCE;
-        ray.distance = choose(finite, light.distance * SHADOW_SHORTENING, light.distance);
-        ray.distance = choose(useful, ray.distance, (real)(0.0f));
-        ray.target = light.group;
-        ray.way = choose(light.delta, (natural)(WAY_UNBENT), (natural)(0u)) | path.media;
-    #if ONDE_TRAIL
-        ray.diffuse = bounce == 0 ? splat3((real)(1.0f)) : path.diffuse;
-        ray.transmitted = bounce == 0 ? (real)(0.0f) : path.transmitted;
-    #endif
-        result->connection = choose(lanes, ray, result->connection);
-    }
-    Path next = path;
-    next.origin = position;
-    next.direction =
-        phase_sample(path.direction, anisotropy,
-                     sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_DIRECTION)));
-    next.pdf = phase_value(dot3(next.direction, path.direction), anisotropy);
-    #if ONDE_LIGHT_TREE
-    next.normal = zero3();
-    #endif
-    #if ONDE_PANES
-    next.passed = (real)(0.0f);
-    #endif
-    #if ONDE_TRAIL
-    next.mirrored = (natural)(0u);
-    if (bounce == 0) {
-        next.diffuse = splat3((real)(1.0f));
-        next.transmitted = (real)(0.0f);
-    }
-    #endif
-    mask alive = lanes & nonzero3(next.throughput);
-    if (bounce >= view.frame->roulette_start) alive = path_roulette(&next, sampler, bounce, alive);
-    result->alive = result->alive | alive;
-    result->next = choose(lanes, next, result->next);
-}
-#endif
 
 // One vertex of the paths in `lanes`: `hit` is what their rays met. `bounce` counts from 0 at the
 // first surface.

@@ -71,7 +71,7 @@ inline constexpr Fault FAULTS[] = {
      "(float4)(radiance.x, radiance.x, radiance.z, 1.0f)", "film"},
     {"a sum of the film's blocks", "film/carry.cl", "block[i] = pending[i] + block[i];",
      "block[i] = pending[i];", "film"},
-    {"the weight of roulette's survivors", "path/path.h",
+    {"the weight of roulette's survivors", "path/state.h",
      "scale3(path->throughput, 1.0f / survival)", "scale3(path->throughput, 1.0f)", "furnace"},
     {"the weight of sampled light", "path/path.h", "power_heuristic(light.pdf, f.pdf)",
      "power_heuristic(f.pdf, light.pdf)", "furnace"},

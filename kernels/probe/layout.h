@@ -97,9 +97,9 @@
     OFFSET(FrameRecord, step_x)                                                                    \
     OFFSET(FrameRecord, orthographic)                                                              \
     OFFSET(FrameRecord, step_y)                                                                    \
-    OFFSET(FrameRecord, pad1)                                                                      \
+    OFFSET(FrameRecord, aperture_blades)                                                           \
     OFFSET(FrameRecord, lens_u)                                                                    \
-    OFFSET(FrameRecord, pad0)                                                                      \
+    OFFSET(FrameRecord, aperture_turn)                                                             \
     OFFSET(FrameRecord, lens_v)                                                                    \
     OFFSET(FrameRecord, pad2)                                                                      \
     OFFSET(FrameRecord, forward)                                                                   \

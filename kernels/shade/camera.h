@@ -37,6 +37,21 @@ INLINE real2 film_place(__global const FrameRecord* frame, real3 to) {
     return make2(dot3(to, step_x) * scale, dot3(to, step_y) * scale);
 }
 
+// A point of a lens of radius 1: of its disk, or of the polygon that its blades leave open.
+INLINE real2 lens_place(__global const FrameRecord* frame, real2 u) {
+    const uint blades = frame->aperture_blades;
+    if (blades == 0) return sample_disk(u);
+    const real which = u.x * (float)(blades);
+    const real corner = min_real(floor(which), (real)((float)(blades)-1.0f));
+    const real out = safe_sqrt(which - corner);
+    const real share = (real)(1.0f / (float)(blades));
+    const real turn = fma(corner, share, (real)(frame->aperture_turn));
+    const SineCosine from = sincos_turns(turn - floor(turn));
+    const SineCosine to = sincos_turns(turn + share - floor(turn + share));
+    return make2(out * fma(to.cosine - from.cosine, u.y, from.cosine),
+                 out * fma(to.sine - from.sine, u.y, from.sine));
+}
+
 // The ray through film coordinates, without a lens.
 INLINE CameraRay camera_ray_through(__global const FrameRecord* frame, real x, real y) {
     const real3 target = camera_target(frame, x, y);
@@ -54,7 +69,7 @@ INLINE CameraRay camera_ray(__global const FrameRecord* frame, natural pixel, Sa
     const real y = to_real(pixel >> 16) + 0.5f + filter_offset(frame, u.y);
     CameraRay ray = camera_ray_through(frame, x, y);
     if (frame->orthographic || frame->aperture_radius <= 0.0f) return ray;
-    const real2 lens = sample_disk(sampler_pair(sampler, DIMENSION_LENS));
+    const real2 lens = lens_place(frame, sampler_pair(sampler, DIMENSION_LENS));
     ray.origin = madd3(uniform3(frame->lens_u), lens.x * frame->aperture_radius, ray.origin);
     ray.origin = madd3(uniform3(frame->lens_v), lens.y * frame->aperture_radius, ray.origin);
     ray.direction = normalize3(sub3(camera_target(frame, x, y), ray.origin));

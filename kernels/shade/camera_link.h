@@ -17,7 +17,7 @@ typedef struct {
 } CameraLink;
 
 INLINE real3 lens_point(__global const FrameRecord* frame, real2 u) {
-    const real2 lens = sample_disk(u);
+    const real2 lens = lens_place(frame, u);
     const real radius = (real)(frame->aperture_radius);
     return madd3(uniform3(frame->lens_v), lens.y * radius,
                  madd3(uniform3(frame->lens_u), lens.x * radius, uniform3(frame->origin)));

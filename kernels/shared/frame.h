@@ -16,10 +16,10 @@ typedef struct {
     float step_x[3];
     uint orthographic; // 1: rays leave the screen itself, along `forward`
     float step_y[3];
-    float pad1;
-    float lens_u[3]; // unit right
-    float pad0;
-    float lens_v[3]; // unit up
+    uint aperture_blades; // 0: the lens is round
+    float lens_u[3];      // unit right
+    float aperture_turn;  // of its first corner, in turns
+    float lens_v[3];      // unit up
     float pad2;
     float forward[3]; // unit
     float setback;    // of the camera behind the screen that parallel rays leave

@@ -94,6 +94,9 @@ static void set_camera(FrameRecord& frame, const PackedScene& scene, const Camer
     copy(frame.lens_v, up);
     copy(frame.forward, forward);
     frame.aperture_radius = camera.aperture_radius;
+    frame.aperture_blades = camera.aperture_blades;
+    const double turn = double(camera.aperture_rotation) / (2.0 * std::numbers::pi);
+    frame.aperture_turn = float(turn - std::floor(turn));
     frame.focus_distance = distance;
 }
 

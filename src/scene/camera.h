@@ -32,6 +32,8 @@ struct Camera {
     glm::mat4 camera_to_world{1.0f};            ///< rotation and translation
     float vertical_fov = 0.7f;                  ///< radians
     float aperture_radius = 0.0f;               ///< thin lens; 0 is a pinhole
+    uint32_t aperture_blades = 0;               ///< corners of the lens; 0: it is round
+    float aperture_rotation = 0.0f;             ///< radians, of its first corner from the right
     float focus_distance = 1.0f;                ///< along the view axis
     std::optional<float> orthographic_height{}; ///< of the view: parallel rays, else a perspective
     std::optional<float> aspect_ratio{};        ///< width over height that is seen at the least
@@ -50,6 +52,12 @@ constexpr auto fields_of(TypeTag<Camera>) {
               {.range = {.low = 1e-4, .high = 179.99}, .form = Form::degrees, .absent = "`40`"}),
         field("aperture", &C::aperture_radius, "radius of the thin lens; 0 is a pinhole",
               {.range = NOT_NEGATIVE, .form = Form::length}),
+        field("aperture_blades", &C::aperture_blades,
+              "of the lens, whose corners lie on that radius; 0 is a round one",
+              {.range = {.low = 0, .high = 100}}),
+        field("aperture_rotation", &C::aperture_rotation,
+              "of the first corner from the right, counter-clockwise as the camera sees it",
+              {.form = Form::degrees}),
         field("focus_distance", &C::focus_distance, "along the view axis",
               {.range = POSITIVE, .form = Form::length, .absent = "the distance to `look_at`"}),
         field("orthographic_height", &C::orthographic_height,

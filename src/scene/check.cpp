@@ -250,6 +250,8 @@ void check_material(const Scene& scene, size_t i) {
 
 void check_camera(const Camera& camera, size_t i) {
     check_fields(Scene{}, camera, "camera", i, camera.name);
+    require(camera.aperture_blades == 0 || camera.aperture_blades >= 3, "camera", i, camera.name,
+            "its aperture needs at least 3 blades, or 0 to be round");
     const glm::mat3 axes(camera.camera_to_world);
     require(is_unit(axes[0]) && is_unit(axes[1]) && is_unit(axes[2]) &&
                 std::abs(glm::determinant(axes) - 1.0f) < 1e-2f,

@@ -248,3 +248,30 @@ TEST_CASE("camera rays have the same bits at every width") {
         CHECK(first_bit_difference(wide.run("camera", in, 6), one) == "");
     }
 }
+
+TEST_CASE("a lens of blades is open where its corners say, evenly") {
+    Camera camera = wide_camera();
+    camera.aperture_radius = 0.5f;
+    camera.aperture_rotation = 0.3f;
+    for (const uint32_t blades : {3u, 6u, 9u}) {
+        camera.aperture_blades = blades;
+        INFO(blades << " blades");
+        const Rays rays = picture(camera, Filter::box);
+        const double inner = 0.5 * std::cos(M_PI / blades);
+        double squares = 0;
+        glm::dvec3 mean(0);
+        for (const glm::dvec3& at : rays.origin) {
+            for (uint32_t k = 0; k < blades; k++) { // each side's middle faces this way
+                const double angle = double(camera.aperture_rotation) + (k + 0.5) * 2 * M_PI / blades;
+                REQUIRE(at.x * std::cos(angle) + at.y * std::sin(angle) < inner + 1e-6);
+            }
+            squares += at.x * at.x + at.y * at.y;
+            mean += at;
+        }
+        const auto count = double(rays.origin.size());
+        CHECK(glm::length(mean) / count < 2e-3);
+        // Of a regular polygon, about its middle.
+        CHECK(squares / count ==
+              Approx(0.25 / 6 * (2 + std::cos(2 * M_PI / blades))).epsilon(0.01));
+    }
+}

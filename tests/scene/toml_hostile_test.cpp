@@ -51,6 +51,12 @@ TEST_CASE("values of the wrong type are refused with their key") {
         check_refused(c);
 }
 
+TEST_CASE("an aperture of two blades is refused") {
+    check_refused({SPHERE + "[[camera]]\nposition = [0, 0, 4]\nlook_at = [0, 0, 0]\naperture_blades "
+                            "= 2\n",
+                   {"camera", "at least 3 blades"}});
+}
+
 TEST_CASE("blends and media that can't be are refused") {
     const std::string material = SPHERE + "[[material]]\nname = \"a\"\n";
     check_refused({material + "blend_with = \"b\"\n", {"material[0].blend_with", "'b'"}});

@@ -138,6 +138,23 @@ bool is_flat(const glm::mat4& m) {
                                                        [](float x) { return std::isfinite(x); });
 }
 
+std::optional<glm::dmat4> with_thickness(const glm::dmat4& m) {
+    constexpr double THICKNESS = 1e-4, NO_AREA = 1e-12;
+    if (!is_flat(glm::mat4(m))) return m;
+    const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+    const double size = std::max({glm::length(x), glm::length(y), glm::length(z)});
+    // Of a plane, its normal times the direction that it loses.
+    const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+    const double area =
+        std::hypot(glm::length(cofactors[0]), glm::length(cofactors[1]), glm::length(cofactors[2]));
+    if (!(area > NO_AREA * size * size)) return std::nullopt;
+    glm::dmat4 thick = m;
+    for (glm::length_t i = 0; i < 3; ++i)
+        thick[i] += glm::dvec4(THICKNESS * size / area * cofactors[i], 0.0);
+    if (is_flat(glm::mat4(thick))) return std::nullopt;
+    return thick;
+}
+
 void place(File& file, const Placements& placements, std::vector<glm::dvec3> mesh_origins,
            Scene& scene) {
     const std::vector<Extent> boxes = boxes_of(scene, mesh_origins);

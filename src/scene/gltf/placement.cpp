@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 
@@ -110,25 +109,13 @@ void add_light(File& file, const Placement& placement, const glm::mat4& to_world
     }
 }
 
-/// Names of placed meshes, one for each of their nodes.
-class PlacedNames {
-  public:
-    PlacedNames(const Document& document, Scene& scene) : document_(document), scene_(scene) {}
-
-    uint32_t operator()(const Placement& placement) {
-        const auto [found, is_new] =
-            known_.try_emplace(placement.node, uint32_t(scene_.names.size()));
-        if (is_new)
-            scene_.names.push_back(
-                {document_.nodes[placement.node].name, document_.nodes[placement.top].name});
-        return found->second;
-    }
-
-  private:
-    const Document& document_;
-    Scene& scene_;
-    std::map<uint32_t, uint32_t> known_;
-};
+/// A name for each node of the file, by its number: a node keeps that from frame to frame, whatever
+/// comes or goes.
+uint32_t name_of(const Placement& placement, const Document& document, Scene& scene) {
+    scene.names[placement.node] = {document.nodes[placement.node].name,
+                                   document.nodes[placement.top].name};
+    return placement.node;
+}
 
 } // namespace
 
@@ -166,12 +153,12 @@ void place(File& file, const Placements& placements, std::vector<glm::dvec3> mes
     }
     scene.origin = origin_of(extent);
     centre_meshes(placements.meshes, boxes, mesh_origins, scene);
-    PlacedNames name_of(file.document, scene);
+    scene.names.resize(file.document.nodes.size());
     for (const Placement& placement : placements.meshes)
         scene.instances.push_back(
             {placement.index,
              recounted(placement.to_world, mesh_origins[placement.index], scene.origin),
-             name_of(placement)});
+             name_of(placement, file.document, scene)});
     for (const Placement& placement : placements.cameras)
         add_camera(file, placement, recounted(placement.to_world, glm::dvec3(0.0), scene.origin),
                    scene);

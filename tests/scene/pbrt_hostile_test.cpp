@@ -75,3 +75,13 @@ TEST_CASE("absurd counts and sizes in pbrt files are refused before they take me
                              repeated("ObjectInstance \"a\"\n", 5000);
     check_refused(bomb, {}, {.limit = uint64_t(64) << 20});
 }
+
+TEST_CASE("files that include each other again and again are refused, however small they are") {
+    ScratchFolder folder;
+    for (int i = 0; i < 12; ++i)
+        folder.write(fmt::format("{}.pbrt", i),
+                     repeated(fmt::format("Include \"{}.pbrt\"\n", i + 1), 8));
+    folder.write("12.pbrt", "");
+    CHECK_THAT(load_error(folder.write("bomb.pbrt", "Include \"0.pbrt\"\n")),
+               Catch::Contains(".pbrt: more than 65536 files are included"));
+}

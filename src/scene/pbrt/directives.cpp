@@ -104,6 +104,7 @@ void Reader::read_file(const fs::path& path) {
     if (ancestors_.size() >= MAX_DEPTH)
         throw InputError("{}: files are included more than {} deep; flatten them", path.string(),
                          MAX_DEPTH);
+    inclusions_.add(path);
     ancestors_.push_back(self);
     const std::string file_name = path.string();
     const auto text = text::decode(read_file_within(context_, path));

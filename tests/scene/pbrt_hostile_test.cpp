@@ -69,6 +69,8 @@ TEST_CASE("absurd counts and sizes in pbrt files are refused before they take me
                   {"samples"});
     check_refused(repeated("AttributeBegin\n", 2000), {"nested"});
     check_refused("WorldBegin\n", {"empty"});
+    check_refused("WorldBegin\nShape \"curve\"\n", // with what was left out
+                  {"empty", "Shapes of kinds that Onde does not have are left out (curve)"});
     // A thousand spheres, placed a thousand times a line.
     const std::string bomb = "WorldBegin\nObjectBegin \"a\"\n" +
                              repeated("Shape \"sphere\"\n", 5000) + "ObjectEnd\n" +

@@ -55,6 +55,7 @@ TEST_CASE("includes that go in circles or nowhere, and objects in objects, are r
     check_refused("Include \"again.pbrt\"", {"includes itself"});
     check_refused("Include \"none.pbrt\"", {"does not exist"});
     check_refused("Include \"../x.pbrt\"", {"leaves the scene's folder"});
+    check_refused("Include \".\"", {"evil.pbrt:1", "is the scene's folder"});
     check_refused("ObjectBegin \"a\"\nObjectBegin \"b\"", {"within another"});
     check_refused("ObjectBegin \"a\"\nObjectInstance \"a\"", {"within another"});
 }

@@ -345,3 +345,10 @@ TEST_CASE("a pbrt scene far from 0 keeps its shape") {
     CHECK(scene.origin.x == Approx(1e7));
     check_near(position(scene, 0, 1) - position(scene, 0, 0), {0.001f, 0, 0}, 1e-8f);
 }
+
+TEST_CASE("a pbrt light near the end of float's range shines, whatever else follows from it") {
+    const Scene scene =
+        load("WorldBegin\nLightSource \"point\" \"rgb I\" [ 1e38 1 1 ]\nShape \"sphere\"\n");
+    REQUIRE(scene.point_lights.size() == 1);
+    CHECK(scene.point_lights[0].intensity.x == Approx(1e38));
+}

@@ -173,9 +173,34 @@ const Element* Document::resolved(const Element& element) const {
 }
 
 const Element* Document::property(const Element& of, std::string_view name) const {
+    of.is_read = true;
     for (const Element& child : of.children)
-        if (child["name"] == name) return resolved(child);
+        if (child["name"] == name) {
+            child.is_used = true;
+            return resolved(child);
+        }
     return nullptr;
+}
+
+void Document::note_unused(const Element& element) const {
+    constexpr std::string_view PARAMETERS[] = {"boolean", "integer",  "float",     "string",
+                                               "point",   "vector",   "transform", "rgb",
+                                               "texture", "spectrum", "blackbody"};
+    // Of what changes no picture.
+    constexpr std::string_view IDLE[] = {
+        "near_clip",     "far_clip",     "shutter_open", "shutter_close",
+        "file_format",   "pixel_format", "banner",       "component_format",
+        "sample_border", "compensate",   "rr_depth",     "sample_visible",
+        "seed",          "aovs"};
+    const auto is_in = [](const auto& words, std::string_view word) {
+        return std::ranges::find(words, word) != std::end(words);
+    };
+    for (const Element& child : element.children) {
+        const std::string& name = child["name"];
+        if (element.is_read && !child.is_used && is_in(PARAMETERS, child.tag) && !is_in(IDLE, name))
+            notes_.add("Parameters that nothing asks for are ignored", child.where + ": " + name);
+        note_unused(child);
+    }
 }
 
 const Element* Document::child(const Element& of, std::string_view tag) const {

@@ -206,7 +206,10 @@ void Reader::camera() {
 void Reader::setting() {
     const std::string_view directive = directive_;
     const std::string kind = text("a kind");
-    read_setting(directive, kind, parameters(), scene_.assets().settings, notes_);
+    const Parameters p = parameters();
+    read_setting(directive, kind, p, scene_.assets().settings, notes_);
+    for (const std::string& unused : p.unused())
+        notes_.add(fmt::format("Other parameters of {} are ignored", directive), unused);
 }
 
 void Reader::no_setting() {

@@ -21,7 +21,17 @@ bool has_motion(const std::vector<std::string>& aovs) {
 
 [[noreturn]] void throw_idle_rate() {
     throw InputError(
-        "--fps is of --frames, and of --aov motion of a moment --at; give one of them");
+        "--fps is of --frames, and of --aov motion of one picture --at a moment; give one of them, "
+        "or leave --fps away");
+}
+
+/// Whether anything of a scene that has a next frame is elsewhere in it.
+bool moves(const Scene& scene) {
+    const auto view = &Camera::camera_to_world;
+    return !scene.next->steps.empty() ||
+           !std::ranges::equal(scene.cameras, scene.next->cameras, {}, view, view) ||
+           !std::ranges::equal(scene.instances, scene.next->instances, {},
+                               &Instance::object_to_world, &NextInstance::object_to_world);
 }
 
 } // namespace
@@ -35,7 +45,8 @@ void check_frames_a_second(const RenderRequest& r) {
     if (!(*r.frames_a_second > 0 && std::isfinite(*r.frames_a_second)))
         throw InputError("--fps {} is not a positive number of frames a second",
                          *r.frames_a_second);
-    const bool may_move = r.load.options.at && (r.aovs.empty() || has_motion(r.aovs));
+    const bool may_move =
+        r.load.options.at && !r.turntable && (r.aovs.empty() || has_motion(r.aovs));
     if (r.frames.empty() && !may_move) throw_idle_rate();
 }
 
@@ -52,8 +63,9 @@ void add_next_frame(Scene& scene, const RenderRequest& request, const LoadOption
     const double rate = frames_a_second(request);
     load_next_frame(scene, request.scene, options, *options.at + 1 / rate);
     if (request.frames.empty())
-        scene.notes.push_back(fmt::format(
-            "The channel motion leads to the next frame, 1/{:g} s later (--fps).", rate));
+        scene.notes.push_back(
+            fmt::format("The channel motion {} the next frame, 1/{:g} s later (--fps).",
+                        moves(scene) ? "leads to" : "is 0: nothing moves until", rate));
 }
 
 } // namespace onde::app

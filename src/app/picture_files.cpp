@@ -189,11 +189,20 @@ static Image blender_vectors(const Image& motion) {
     return vectors;
 }
 
+/// Blender's texture coordinates go up. 0 is where there is no surface.
+static Image blender_uvs(Image uvs) {
+    for (size_t i = 0; i < uvs.pixels.size(); i += 2)
+        if (uvs.pixels[i] != 0 || uvs.pixels[i + 1] != 0) uvs.pixels[i + 1] = 1 - uvs.pixels[i + 1];
+    return uvs;
+}
+
 ExrLayer exr_layer(std::string_view channel, std::string_view letters, const Image& numbers,
                    ExrDepth depth_of_light, ExrNames names) {
     const FilmChannel* known = find_channel(channel);
     if (known && known->sums == AOV_MOTION && names == ExrNames::blender)
         return {blender_vectors(numbers), exr_names(channel, "XYZW", names), ExrDepth::full_float};
+    if (known && known->sums == AOV_UV && names == ExrNames::blender)
+        return {blender_uvs(numbers), exr_names(channel, letters, names), ExrDepth::full_float};
     const bool is_light =
         channel == RADIANCE.name || channel.starts_with(GROUP_PREFIX) ||
         (known && known->sums < AOV_COUNT && (LIGHT_AOVS >> known->sums & 1) != 0);

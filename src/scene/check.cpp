@@ -260,6 +260,13 @@ void check_camera(const Camera& camera, size_t i) {
 
 namespace {
 
+/// With the notes, which tell what was left out.
+[[noreturn]] void throw_empty(const Scene& scene) {
+    if (scene.notes.empty()) throw InputError("the scene is empty; add a shape or a mesh");
+    throw InputError("the scene is empty; add a shape or a mesh, or see to what was noted: {}",
+                     fmt::join(scene.notes, " "));
+}
+
 bool has_geometry(const Scene& scene) {
     return !scene.spheres.empty() || !scene.shapes.empty() ||
            std::any_of(scene.instances.begin(), scene.instances.end(),
@@ -287,7 +294,7 @@ void check_scene(const Scene& scene) {
     const std::string text = problem(scene, {}, scene.settings);
     if (!text.empty()) throw InputError("render settings: their {}", text);
     check_chapter(scene);
-    if (!has_geometry(scene)) throw InputError("the scene is empty; add a shape or a mesh");
+    if (!has_geometry(scene)) throw_empty(scene);
 }
 
 } // namespace onde

@@ -52,10 +52,16 @@ class Builder : public nlohmann::json_sax<Json> {
         return true;
     }
 
-    bool parse_error(size_t position, const std::string&, const Json::exception&) override {
+    bool parse_error(size_t position, const std::string& token,
+                     const Json::exception& error) override {
+        constexpr int TOO_LARGE = 406; // nlohmann's number of it
         const std::string_view before = text_.substr(0, position ? position - 1 : 0);
         const size_t line = size_t(std::ranges::count(before, '\n')) + 1;
         const size_t column = before.size() - (before.rfind('\n') + 1) + 1; // npos + 1 is 0
+        if (error.id == TOO_LARGE)
+            throw InputError("{}: the number {} of its JSON is too large at line {}, column {}; "
+                             "export it again",
+                             name_, shown(token, 40), line, column);
         throw InputError("{}: not valid JSON at line {}, column {}; export it again", name_, line,
                          column);
     }

@@ -13,14 +13,10 @@
 namespace onde {
 namespace {
 
-/// The instances of each name, in their order.
-std::map<std::pair<std::string, std::string>, std::vector<size_t>> by_name(const Scene& scene) {
-    std::map<std::pair<std::string, std::string>, std::vector<size_t>> all;
-    for (size_t i = 0; i < scene.instances.size(); ++i) {
-        const uint32_t name = scene.instances[i].name;
-        const PlacedName placed = name == NO_NAME ? PlacedName{} : scene.names[name];
-        all[{placed.object, placed.asset}].push_back(i);
-    }
+/// The instances of each name, in their order. A file has the same list of names at any moment.
+std::map<uint32_t, std::vector<size_t>> by_name(const Scene& scene) {
+    std::map<uint32_t, std::vector<size_t>> all;
+    for (size_t i = 0; i < scene.instances.size(); ++i) all[scene.instances[i].name].push_back(i);
     return all;
 }
 

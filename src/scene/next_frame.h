@@ -34,9 +34,10 @@ struct NextFrame {
 /// That of a scene in which nothing moves.
 NextFrame standing_still(const Scene& scene);
 
-/// That of a scene which `next` shows a frame later, counted from the same origin. Things belong
-/// together by their names and, where several have one, by their order. What has no counterpart of
-/// the same triangles stands still, of which the scene gets a note.
+/// That of a scene which `next`, of the same file, shows a frame later, counted from the same
+/// origin. Things belong together by their places in the list of names and, where several have one,
+/// by their order. What has no counterpart of the same triangles stands still, of which the scene
+/// gets a note.
 NextFrame next_frame(Scene& scene, const Scene& next);
 
 /// Gives a scene, which load_scene() has loaded from there with these options, the next frame that

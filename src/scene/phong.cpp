@@ -3,6 +3,7 @@
 #include "scene/load.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace onde {
@@ -19,14 +20,18 @@ float exponent_of(float roughness) {
     return std::clamp(2 / (alpha * alpha) - 2, 0.0f, 1000.0f);
 }
 
+glm::vec3 in_range(glm::vec3 v) {
+    return glm::min(v, glm::vec3(std::numeric_limits<float>::max()));
+}
+
 /// Lets the chapter's `intensity` and the radiometric `measure` = factor * intensity follow from
-/// each other.
+/// each other; what no float can hold is as large as one can be.
 void complete(glm::vec3& intensity, glm::vec3& measure, float factor, DerivedLights& derived) {
     if (largest(intensity) <= 0.0f) {
-        intensity = measure / factor;
+        intensity = in_range(measure / factor);
         ++derived.intensities;
     } else if (largest(measure) <= 0.0f) {
-        measure = intensity * factor;
+        measure = in_range(intensity * factor);
         ++derived.measures;
     }
 }

@@ -32,7 +32,11 @@ fs::path resolve_inside(const fs::path& folder, const std::string& reference,
                          (error ? error : folder_error).message());
     const fs::path widest = root.empty() ? base : fs::canonical(root, error);
     const bool widened = !error && (base == widest || lies_in(widest, base));
-    if (!lies_in(widened ? widest : base, path))
+    const fs::path& limit = widened ? widest : base;
+    if (path == limit)
+        throw InputError("{}: '{}' is the scene's folder; name a file in it", where,
+                         shown(reference));
+    if (!lies_in(limit, path))
         throw InputError("{}: '{}' leaves the scene's folder; move the file into it, or name a "
                          "folder that holds both by --root",
                          where, shown(reference));

@@ -162,6 +162,8 @@ TEST_CASE("motion without time is 0 with a note, and --fps without either is ref
     check_refused(folder, {"--fps", "24", "--aov", "motion"}, "--fps is of --frames");
     check_refused(folder, {"--fps", "24", "--at", "0.5", "--aov", "alpha"}, "--fps is of --frames");
     check_refused(folder, {"--fps", "24", "--at", "0.5"}, "--fps is of --frames");
+    check_refused(folder, {"--fps", "3", "--at", "0.5", "--aov", "motion", "--turntable", "2"},
+                  "--fps is of --frames");
     check_refused(folder, {"--fps", "0", "--at", "0.5", "--aov", "motion"}, "--fps 0 is not");
     check_refused(folder, {"--integrator", "light", "--aov", "motion"}, "path");
     CHECK(folder.files().size() == 1);
@@ -176,4 +178,15 @@ TEST_CASE("a scene file asks for motion, of the animated files that it includes"
     succeed(folder, render("a.toml", {"--at", "0.25", "--fps", "6", "-o", "a.exr", "--spp", "4"}));
     const onde::Image motion = onde::read_exr(folder / "a.exr", {"forward.u", "forward.v"});
     CHECK(std::ranges::max(motion.pixels) > 0.5f);
+}
+
+TEST_CASE("the motion of a moment at which nothing moves is said to be 0") {
+    const Folder folder;
+    const std::string still = ONDE_SOURCE_DIR "/scenes/cornell.toml";
+    const Outcome outcome = succeed(folder, render(still, {"--at", "0", "--aov", "motion", "--size",
+                                                           "16x16", "--spp", "1", "-o", "a.exr"}));
+    CHECK_THAT(outcome.err, Catch::Contains("Nothing in the file is animated"));
+    CHECK_THAT(outcome.err,
+               Catch::Contains("motion is 0: nothing moves until the next frame, 1/24 s"));
+    CHECK_THAT(outcome.err, !Catch::Contains("motion leads"));
 }

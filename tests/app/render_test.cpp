@@ -312,7 +312,7 @@ TEST_CASE("an .exr has every channel that is asked for, by names of one's choice
         {"depth.Z", "ViewLayer.Depth.Z"},
         {"normal.X", "ViewLayer.Normal.X"},
         {"denoise_albedo.G", "ViewLayer.Denoising Albedo.G"},
-        {"uv.V", "ViewLayer.UV.V"},
+        {"uv.U", "ViewLayer.UV.U"},
         {"direct.B", "ViewLayer.Direct.B"},
         {"variance.R", "ViewLayer.Variance.R"},
         {"sample_count.X", "ViewLayer.Sample Count.X"}};
@@ -321,6 +321,12 @@ TEST_CASE("an .exr has every channel that is asked for, by names of one's choice
         const onde::Image a = onde::read_exr(folder / "plain.exr", {plain});
         CHECK(a.pixels == onde::read_exr(folder / "blender.exr", {blender}).pixels);
         CHECK(std::ranges::any_of(a.pixels, [](float number) { return number != 0; }));
+    }
+    const onde::Image down = onde::read_exr(folder / "plain.exr", {"uv.U", "uv.V"});
+    const onde::Image up = onde::read_exr(folder / "blender.exr", {"ViewLayer.UV.V"});
+    for (size_t i = 0; i < up.pixels.size(); i++) {
+        const bool is_surface = down.pixels[2 * i] != 0 || down.pixels[2 * i + 1] != 0;
+        CHECK(up.pixels[i] == (is_surface ? 1 - down.pixels[2 * i + 1] : 0));
     }
     CHECK_THROWS_AS(onde::read_exr(folder / "plain.exr", {"depth.R"}), onde::InputError);
 }

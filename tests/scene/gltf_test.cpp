@@ -1,4 +1,5 @@
 // Meshes, nodes, cameras and lights of glTF.
+#include "gltf_builder.h"
 #include "gltf_quad.h"
 
 using namespace onde;
@@ -200,6 +201,42 @@ TEST_CASE("an object that is scaled to nothing is skipped with a note") {
         load_quad(quad_gltf(R"([{"mesh": 0}, {"mesh": 0, "scale": [0, 0, 0]}])", "", "", "[0, 1]"));
     CHECK(scene.instances.size() == 1);
     CHECK(has_note(scene, "skipped"));
+}
+
+TEST_CASE("an object that is scaled to a plane is that plane, whichever way it lies") {
+    Builder builder; // of a corner, with a normal of each wall
+    builder.floats(3, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
+    builder.floats(3, {0, -1, 0, 1, 0, 0, 0, 1, 0, 0, 0.6f, 0.8f});
+    builder.add<uint16_t>(5123, "SCALAR", 1, {0, 1, 2, 0, 2, 3, 0, 3, 1});
+    const Scene scene = builder.load(R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0,
+        "NORMAL": 1}, "indices": 2}]}], "nodes": [{"mesh": 0, "scale": [2, 0, 3]},
+        {"mesh": 0, "scale": [1, 0, 1], "rotation": [0, 0, 0.70710678, 0.70710678]},
+        {"children": [3], "scale": [1, 1, 0]},
+        {"mesh": 0, "rotation": [0.38268343, 0, 0, 0.92387953], "translation": [0, 0, 5]},
+        {"mesh": 0, "scale": [0, 0, 1]}, {"camera": 0, "scale": [1, 1, 0]}],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 1}}],
+        "scenes": [{"nodes": [0, 1, 2, 4, 5]}])");
+    REQUIRE(scene.cameras.size() == 1);
+    CHECK(glm::length(scene.cameras[0].camera_to_world[2] - glm::vec4(0, 0, 1, 0)) < 1e-5f);
+    REQUIRE(scene.instances.size() == 3); // a line has no area
+    CHECK(has_note(scene, "Objects scaled to nothing are skipped (node 4)"));
+    const glm::vec3 planes[] = {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+    const glm::vec3 ends[] = {{2, 0, 3}, {0, 1, 1}, {1, 0.70710678f, 0}}; // of x, and of z or y
+    for (size_t i = 0; i < 3; ++i) {
+        INFO(i);
+        const glm::mat4& m = scene.instances[i].object_to_world;
+        const Mesh& mesh = scene.meshes.at(scene.instances[i].mesh);
+        glm::vec3 most(0.0f);
+        for (const glm::vec3& p : mesh.positions) {
+            const glm::vec3 placed = glm::vec3(m * glm::vec4(p, 1.0f)) + glm::vec3(scene.origin);
+            CHECK(std::abs(glm::dot(placed, planes[i])) < 1e-3f);
+            most = glm::max(most, placed);
+        }
+        CHECK(glm::length(most - ends[i]) < 1e-3f);
+        const glm::mat3 normals = glm::transpose(glm::inverse(glm::mat3(m)));
+        const glm::vec3 up = glm::normalize(normals * mesh.normals.at(2)); // it leans on the plane
+        CHECK(std::abs(glm::dot(up, planes[i])) > 0.99f);
+    }
 }
 
 TEST_CASE("an orthographic glTF camera keeps the height of its view") {

@@ -1,8 +1,11 @@
 // What Mitsuba's files mean.
+#include "scene/load_context.h"
 #include "scratch.h"
 #include "support/assets.h"
 
+#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
+#include <sys/resource.h>
 
 #include <cmath>
 
@@ -271,6 +274,17 @@ TEST_CASE("what is wrong or unknown in a Mitsuba file costs its part and a note"
              {"<shape type='sphere'><bsdf type='diffuse'/><medium type='homogeneous' "
               "name='interior'/></shape>",
               "lets no light in"},
+             {"<shape type='sphere'><string name='radius' value='2'/></shape>",
+              "Values that are none"},
+             {"<shape type='sphere'><string name='flip_normals' value='true'/></shape>",
+              "Values that are none"},
+             {"<shape type='sphere'><float name='to_world' value='2'/></shape>",
+              "Values that are none"},
+             {"<shape type='sphere'><bsdf type='dielectric'><rgb name='int_ior' value='2'/></bsdf>"
+              "</shape>",
+              "Values that are none"},
+             {"<shape type='sphere'><float name='radiuss' value='2'/></shape>",
+              "Parameters that nothing asks for are ignored (a.xml:3: radiuss)"},
              {"<emitter type='projector'/>", "kinds that Onde does not have"},
              {"<shape type='sphere'><bsdf type='hair'/></shape>", "diffuse grey"},
              {"<shape type='sphere'><transform name='to_world'><rotate "
@@ -340,4 +354,33 @@ TEST_CASE("hostile XML is refused in one sentence that names the file") {
         CHECK(error.find('\n') == std::string::npos);
         for (const std::string& culprit : c.culprits) CHECK_THAT(error, Catch::Contains(culprit));
     }
+}
+
+TEST_CASE("parameters that stand for more than a load may use are refused before they take it") {
+    const auto peak = [] {
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        return usage.ru_maxrss; // KiB
+    };
+    std::string many;
+    for (int i = 0; i < 100000; ++i) many += "$v"; // 1 GB of them
+    ScratchFolder folder;
+    const auto file =
+        folder.write("bomb.xml", scene_of("<default name='v' value='" + std::string(10000, 'a') +
+                                          "'/><shape type='" + many + "'/>"));
+    const long before = peak();
+    CHECK_THROWS_AS(load_scene(file, {.limit = uint64_t(64) << 20}), OverBudget);
+    CHECK(peak() - before < 512 << 10);
+}
+
+TEST_CASE("Mitsuba files that include each other again and again are refused") {
+    ScratchFolder folder;
+    for (int i = 0; i < 12; ++i) {
+        std::string body;
+        for (int k = 0; k < 8; ++k) body += fmt::format("<include filename='{}.xml'/>", i + 1);
+        folder.write(fmt::format("{}.xml", i), scene_of(body));
+    }
+    folder.write("12.xml", scene_of(""));
+    CHECK_THAT(test::load_error(folder.path() / "0.xml"),
+               Catch::Contains(".xml: more than 65536 files are included"));
 }

@@ -55,6 +55,7 @@ TEST_CASE("includes that go in circles or nowhere, and objects in objects, are r
     check_refused("Include \"again.pbrt\"", {"includes itself"});
     check_refused("Include \"none.pbrt\"", {"does not exist"});
     check_refused("Include \"../x.pbrt\"", {"leaves the scene's folder"});
+    check_refused("Include \".\"", {"evil.pbrt:1", "is the scene's folder"});
     check_refused("ObjectBegin \"a\"\nObjectBegin \"b\"", {"within another"});
     check_refused("ObjectBegin \"a\"\nObjectInstance \"a\"", {"within another"});
 }
@@ -69,9 +70,21 @@ TEST_CASE("absurd counts and sizes in pbrt files are refused before they take me
                   {"samples"});
     check_refused(repeated("AttributeBegin\n", 2000), {"nested"});
     check_refused("WorldBegin\n", {"empty"});
+    check_refused("WorldBegin\nShape \"curve\"\n", // with what was left out
+                  {"empty", "Shapes of kinds that Onde does not have are left out (curve)"});
     // A thousand spheres, placed a thousand times a line.
     const std::string bomb = "WorldBegin\nObjectBegin \"a\"\n" +
                              repeated("Shape \"sphere\"\n", 5000) + "ObjectEnd\n" +
                              repeated("ObjectInstance \"a\"\n", 5000);
     check_refused(bomb, {}, {.limit = uint64_t(64) << 20});
+}
+
+TEST_CASE("files that include each other again and again are refused, however small they are") {
+    ScratchFolder folder;
+    for (int i = 0; i < 12; ++i)
+        folder.write(fmt::format("{}.pbrt", i),
+                     repeated(fmt::format("Include \"{}.pbrt\"\n", i + 1), 8));
+    folder.write("12.pbrt", "");
+    CHECK_THAT(load_error(folder.write("bomb.pbrt", "Include \"0.pbrt\"\n")),
+               Catch::Contains(".pbrt: more than 65536 files are included"));
 }

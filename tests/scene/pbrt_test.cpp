@@ -356,7 +356,19 @@ TEST_CASE(
               "made of themselves"},
              {"Material \"diffuse\" \"rgb reflectance\" [ 1 ]\n" + TRIANGLE,
               "Colours that are none"},
-             {"Shape \"sphere\" \"float zmin\" 0\n", "whole"}}) {
+             {"Shape \"sphere\" \"float zmin\" 0\n", "whole"},
+             {"Shape \"sphere\" \"string radius\" \"2\"\n",
+              "Other parameters of shapes are ignored (string radius)"},
+             {"Shape \"sphere\" \"float radiuss\" 2\n", "(float radiuss)"},
+             {"LightSource \"point\" \"rgb scale\" [ 1 1 1 ]\n",
+              "of lights are ignored (rgb scale)"},
+             {"Film \"rgb\" \"string xresolution\" \"9\"\n",
+              "Other parameters of Film are ignored (string xresolution)"},
+             {"Texture \"t\" \"spectrum\" \"constant\" \"rgb valu\" [ 1 0 0 ]\nMaterial "
+              "\"diffuse\" "
+              "\"texture reflectance\" \"t\"\n" +
+                  TRIANGLE,
+              "Other parameters of textures are ignored (rgb valu)"}}) {
         INFO(c.text);
         const Scene scene = load("WorldBegin\n" + TRIANGLE + c.text);
         CHECK(has_note(scene, c.note));
@@ -371,4 +383,11 @@ TEST_CASE("a pbrt scene far from 0 keeps its shape") {
                              TRIANGLE);
     CHECK(scene.origin.x == Approx(1e7));
     check_near(position(scene, 0, 1) - position(scene, 0, 0), {0.001f, 0, 0}, 1e-8f);
+}
+
+TEST_CASE("a pbrt light near the end of float's range shines, whatever else follows from it") {
+    const Scene scene =
+        load("WorldBegin\nLightSource \"point\" \"rgb I\" [ 1e38 1 1 ]\nShape \"sphere\"\n");
+    REQUIRE(scene.point_lights.size() == 1);
+    CHECK(scene.point_lights[0].intensity.x == Approx(1e38));
 }

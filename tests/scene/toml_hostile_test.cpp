@@ -34,6 +34,16 @@ TEST_CASE("a misspelt key is refused with its place and the nearest key") {
     check_refused({SPHERE + "edge1 = [1, 2, 3]\n", {"shape[0].edge1"}});
 }
 
+TEST_CASE("the keys that a table may have are listed once each") {
+    ScratchFolder folder;
+    const std::string error = load_error(
+        folder.write("evil.toml", SPHERE + "[[material]]\nname = \"a\"\nspekular = 1\n"));
+    const std::string listed = error.substr(error.find("Allowed: "));
+    const size_t first = listed.find(" specular,");
+    CHECK(first != std::string::npos);
+    CHECK(listed.find(" specular,", first + 1) == std::string::npos);
+}
+
 TEST_CASE("values of the wrong type are refused with their key") {
     for (const Case& c : std::vector<Case>{
              {SPHERE + "radius = \"big\"\n", {":3:", "shape[0].radius", "number"}},

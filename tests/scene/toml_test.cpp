@@ -301,3 +301,19 @@ TEST_CASE("every scene of the project loads without a note") {
     }
     CHECK(count >= 5);
 }
+
+TEST_CASE("specular of a phong material is the chapter's weight; of others it is 1 at most") {
+    const auto material = [](const std::string& kind, const std::string& specular) {
+        return SPHERE + "material = \"m\"\n[[material]]\nname = \"m\"\nkind = \"" + kind +
+               "\"\nspecular = " + specular + "\n";
+    };
+    const Scene phong = load_toml_text(material("phong", "3"));
+    REQUIRE(phong.chapter.phong.contains(0));
+    CHECK(phong.chapter.phong.at(0).specular == 3.0f);
+    CHECK(phong.materials.at(0).specular == 1.0f);
+    const Scene glossy = load_toml_text(material("metallic-roughness", "0.5"));
+    CHECK(glossy.chapter.phong.at(0).specular == 0.5f);
+    CHECK(glossy.materials.at(0).specular == 0.5f);
+    CHECK_THROWS_WITH(load_toml_text(material("metallic-roughness", "3")),
+                      Catch::Contains("specular") && Catch::Contains("must lie between 0 and 1"));
+}

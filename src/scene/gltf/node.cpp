@@ -92,8 +92,9 @@ void NodeTraversal::enter(const Visit& visit) {
         throw InputError("{}: {}: its transform is not finite; export it again", file_.name, user);
     if (!node.visible) return file_.notes.add("Nodes that the file hides are skipped", user);
     if (node.mesh) add_mesh(node, to_world, user);
-    if (node.camera) placements_.cameras.push_back({*node.camera, visit.node, to_world});
-    if (node.light) placements_.lights.push_back({*node.light, visit.node, to_world});
+    const glm::dmat4 solid = with_thickness(to_world).value_or(to_world);
+    if (node.camera) placements_.cameras.push_back({*node.camera, visit.node, solid});
+    if (node.light) placements_.lights.push_back({*node.light, visit.node, solid});
     push(node.children, to_world, visit.depth + 1, user);
 }
 
@@ -160,13 +161,11 @@ void NodeTraversal::add_copies(const Node& node, uint32_t mesh, const glm::dmat4
 
 void NodeTraversal::add_instance(uint32_t mesh, const glm::dmat4& to_world,
                                  const std::string& user) {
-    if (is_flat(glm::mat4(to_world))) {
-        file_.notes.add("Objects scaled to nothing are skipped", user);
-        return;
-    }
+    const std::optional<glm::dmat4> placed = with_thickness(to_world);
+    if (!placed) return file_.notes.add("Objects scaled to nothing are skipped", user);
     // With the box and the record that upload and tree need for each.
     file_.context.spend(1, 4 * sizeof(Instance) + sizeof(Placement), file_.where(user));
-    placements_.meshes.push_back({mesh, node_, to_world, top_});
+    placements_.meshes.push_back({mesh, node_, *placed, top_});
 }
 
 } // namespace

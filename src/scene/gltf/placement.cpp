@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 
@@ -110,25 +109,13 @@ void add_light(File& file, const Placement& placement, const glm::mat4& to_world
     }
 }
 
-/// Names of placed meshes, one for each of their nodes.
-class PlacedNames {
-  public:
-    PlacedNames(const Document& document, Scene& scene) : document_(document), scene_(scene) {}
-
-    uint32_t operator()(const Placement& placement) {
-        const auto [found, is_new] =
-            known_.try_emplace(placement.node, uint32_t(scene_.names.size()));
-        if (is_new)
-            scene_.names.push_back(
-                {document_.nodes[placement.node].name, document_.nodes[placement.top].name});
-        return found->second;
-    }
-
-  private:
-    const Document& document_;
-    Scene& scene_;
-    std::map<uint32_t, uint32_t> known_;
-};
+/// A name for each node of the file, by its number: a node keeps that from frame to frame, whatever
+/// comes or goes.
+uint32_t name_of(const Placement& placement, const Document& document, Scene& scene) {
+    scene.names[placement.node] = {document.nodes[placement.node].name,
+                                   document.nodes[placement.top].name};
+    return placement.node;
+}
 
 } // namespace
 
@@ -136,6 +123,23 @@ bool is_flat(const glm::mat4& m) {
     const glm::mat4 inverse = glm::inverse(m);
     return glm::determinant(m) == 0.0f || !std::all_of(&inverse[0][0], &inverse[0][0] + 16,
                                                        [](float x) { return std::isfinite(x); });
+}
+
+std::optional<glm::dmat4> with_thickness(const glm::dmat4& m) {
+    constexpr double THICKNESS = 1e-4, NO_AREA = 1e-12;
+    if (!is_flat(glm::mat4(m))) return m;
+    const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+    const double size = std::max({glm::length(x), glm::length(y), glm::length(z)});
+    // Of a plane, its normal times the direction that it loses.
+    const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+    const double area =
+        std::hypot(glm::length(cofactors[0]), glm::length(cofactors[1]), glm::length(cofactors[2]));
+    if (!(area > NO_AREA * size * size)) return std::nullopt;
+    glm::dmat4 thick = m;
+    for (glm::length_t i = 0; i < 3; ++i)
+        thick[i] += glm::dvec4(THICKNESS * size / area * cofactors[i], 0.0);
+    if (is_flat(glm::mat4(thick))) return std::nullopt;
+    return thick;
 }
 
 void place(File& file, const Placements& placements, std::vector<glm::dvec3> mesh_origins,
@@ -149,12 +153,12 @@ void place(File& file, const Placements& placements, std::vector<glm::dvec3> mes
     }
     scene.origin = origin_of(extent);
     centre_meshes(placements.meshes, boxes, mesh_origins, scene);
-    PlacedNames name_of(file.document, scene);
+    scene.names.resize(file.document.nodes.size());
     for (const Placement& placement : placements.meshes)
         scene.instances.push_back(
             {placement.index,
              recounted(placement.to_world, mesh_origins[placement.index], scene.origin),
-             name_of(placement)});
+             name_of(placement, file.document, scene)});
     for (const Placement& placement : placements.cameras)
         add_camera(file, placement, recounted(placement.to_world, glm::dvec3(0.0), scene.origin),
                    scene);

@@ -5,6 +5,7 @@
 #include "scene/gltf/file.h"
 #include "scene/scene.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,7 +27,11 @@ struct Placements {
 void place(File& file, const Placements& placements, std::vector<glm::dvec3> mesh_origins,
            Scene& scene);
 
-/// Whether a transform flattens space, as exporters do to hide an object.
+/// Whether a transform flattens space and has no inverse.
 bool is_flat(const glm::mat4& m);
+
+/// The transform, if flat, with a thickness of 1e-4 of its size along the normal of its plane, so
+/// that it has an inverse. Nothing where it leaves no area, as exporters hide an object.
+std::optional<glm::dmat4> with_thickness(const glm::dmat4& m);
 
 } // namespace onde::gltf

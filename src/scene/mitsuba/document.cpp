@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/shown.h"
+#include "scene/inclusion_count.h"
 
 #include <pugixml.hpp>
 
@@ -38,14 +39,15 @@ class Expansion {
     void add(const File& file, const pugi::xml_node& node, Element& parent, size_t depth);
     void include(const std::string& name, const std::string& where, Element& parent);
     void add_path(const std::string& folder, const std::string& where);
-    std::string with_values(std::string text, const std::string& where) const;
+    std::string with_values(const std::string& text, const std::string& where);
 
-    static constexpr size_t MAX_INCLUDES = 16, MAX_DEPTH = 64, MAX_VALUES = 4096;
+    static constexpr size_t MAX_NESTED = 16, MAX_DEPTH = 64, MAX_VALUES = 4096;
     static constexpr uint64_t ELEMENT_BYTES = 512; ///< about, with its attributes and its place
 
     Document& document_;
     GradualSpending cost_;
     std::vector<fs::path> ancestors_;
+    InclusionCount inclusions_;
     std::map<std::string, std::string, std::greater<>> values_; ///< of parameters, long names first
 };
 
@@ -55,9 +57,10 @@ void Expansion::read_file(const fs::path& path, Element& parent) {
     if (std::ranges::find(ancestors_, self) != ancestors_.end())
         throw InputError("{}: includes itself, directly or through another file; break the cycle",
                          path.string());
-    if (ancestors_.size() >= MAX_INCLUDES)
+    if (ancestors_.size() >= MAX_NESTED)
         throw InputError("{}: files are included more than {} deep; flatten them", path.string(),
-                         MAX_INCLUDES);
+                         MAX_NESTED);
+    inclusions_.add(path);
     ancestors_.push_back(self);
     File file{
         .name = path.string(), .bytes = read_file_within(document_.context_, path), .lines = {0}};
@@ -80,10 +83,11 @@ void Expansion::read_file(const fs::path& path, Element& parent) {
     ancestors_.pop_back();
 }
 
-std::string Expansion::with_values(std::string text, const std::string& where) const {
-    size_t at = text.find('$');
-    if (at == std::string::npos) return text;
-    for (; at != std::string::npos; at = text.find('$', at)) {
+/// Values may hold values, so that a short text can ask for more than any memory holds.
+std::string Expansion::with_values(const std::string& text, const std::string& where) {
+    std::string result;
+    size_t from = 0;
+    for (size_t at; (at = text.find('$', from)) != std::string::npos;) {
         const auto named = [&](const auto& value) {
             return text.compare(at + 1, value.first.size(), value.first) == 0;
         };
@@ -92,10 +96,12 @@ std::string Expansion::with_values(std::string text, const std::string& where) c
             throw InputError("{}: '{}' names a parameter without a value; add <default "
                              "name=\"...\" value=\"...\"/>",
                              where, shown(text));
-        text.replace(at, found->first.size() + 1, found->second);
-        at += found->second.size();
+        cost_.add(at - from + found->second.size());
+        result.append(text, from, at - from).append(found->second);
+        from = at + 1 + found->first.size();
     }
-    return text;
+    result.append(text, from);
+    return result;
 }
 
 void Expansion::add(const File& file, const pugi::xml_node& node, Element& parent, size_t depth) {
@@ -167,9 +173,34 @@ const Element* Document::resolved(const Element& element) const {
 }
 
 const Element* Document::property(const Element& of, std::string_view name) const {
+    of.is_read = true;
     for (const Element& child : of.children)
-        if (child["name"] == name) return resolved(child);
+        if (child["name"] == name) {
+            child.is_used = true;
+            return resolved(child);
+        }
     return nullptr;
+}
+
+void Document::note_unused(const Element& element) const {
+    constexpr std::string_view PARAMETERS[] = {"boolean", "integer",  "float",     "string",
+                                               "point",   "vector",   "transform", "rgb",
+                                               "texture", "spectrum", "blackbody"};
+    // Of what changes no picture.
+    constexpr std::string_view IDLE[] = {
+        "near_clip",     "far_clip",     "shutter_open", "shutter_close",
+        "file_format",   "pixel_format", "banner",       "component_format",
+        "sample_border", "compensate",   "rr_depth",     "sample_visible",
+        "seed",          "aovs"};
+    const auto is_in = [](const auto& words, std::string_view word) {
+        return std::ranges::find(words, word) != std::end(words);
+    };
+    for (const Element& child : element.children) {
+        const std::string& name = child["name"];
+        if (element.is_read && !child.is_used && is_in(PARAMETERS, child.tag) && !is_in(IDLE, name))
+            notes_.add("Parameters that nothing asks for are ignored", child.where + ": " + name);
+        note_unused(child);
+    }
 }
 
 const Element* Document::child(const Element& of, std::string_view tag) const {

@@ -18,6 +18,8 @@ struct Element {
     std::string tag, where; ///< "FILE:LINE"
     std::map<std::string, std::string, std::less<>> attributes;
     std::vector<Element> children;
+    mutable bool is_read = false; ///< something of it has been asked for by name,
+    mutable bool is_used = false; ///< and this it was
 
     /// An attribute's value; empty where it is absent.
     const std::string& operator[](std::string_view attribute) const;
@@ -34,6 +36,9 @@ class Document {
     Document(const std::filesystem::path& path, LoadContext& context, Notes& notes);
 
     const Element& root() const { return root_; }
+
+    /// Notes what elements that were read have and nothing asked for.
+    void note_unused() const { note_unused(root_); }
 
     /// The element, or the one that it refers to; null, with a note, for an id that there is not.
     const Element* resolved(const Element& element) const;
@@ -56,6 +61,7 @@ class Document {
 
     std::optional<std::filesystem::path> search(const std::string& name) const;
     void collect_ids(const Element& element);
+    void note_unused(const Element& element) const;
 
     LoadContext& context_;
     Notes& notes_;

@@ -28,6 +28,7 @@ void Reader::add(const Element& element) {
 
 Scene Reader::read() {
     for (const Element& element : document_.root().children) add(element);
+    document_.note_unused();
     // A camera whose transform mirrors sees a mirrored world.
     const bool is_mirrored = camera_to_world_ && glm::determinant(*camera_to_world_) < 0.0;
     glm::dmat4 to_ours(1.0);

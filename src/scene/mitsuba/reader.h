@@ -68,7 +68,7 @@ class Reader {
     std::vector<SkyLight> sky_;
     std::optional<glm::dmat4> camera_to_world_;
     std::map<Look, uint32_t> looks_; ///< to materials of the scene
-    std::map<std::tuple<std::string, uint32_t, bool, bool>, KnownMesh> mesh_files_;
+    std::map<std::tuple<std::string, uint32_t, bool, bool, bool>, KnownMesh> mesh_files_;
     std::map<const Element*, Parts> groups_;
 };
 

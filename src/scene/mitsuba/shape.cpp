@@ -119,8 +119,10 @@ void Reader::add_mesh_file(const Element& shape, Parts* group) {
     if (!path) return;
     const bool flat = values.flag("face_normals", false);
     const bool turned = values.flag("flip_normals", false);
+    // Our readers turn v around, as Mitsuba does of OBJ files alone.
+    const bool keeps_v = values.flag("flip_tex_coords", shape["type"] == "obj");
     const glm::dmat4 to_world = values.transform("to_world");
-    const auto key = std::tuple(path->string(), material_of(shape), flat, turned);
+    const auto key = std::tuple(path->string(), material_of(shape), flat, turned, keeps_v);
     if (const auto known = mesh_files_.find(key); known != mesh_files_.end())
         return place({true, known->second.mesh, {}, glm::translate(to_world, known->second.origin)},
                      group);
@@ -129,8 +131,7 @@ void Reader::add_mesh_file(const Element& shape, Parts* group) {
     for (const std::string& note : loaded.notes) assets.notes.push_back(file + ": " + note);
     loaded.mesh.colors.clear(); // which only textures of attributes show
     if (flat) loaded.mesh.normals.clear();
-    // Our readers turn v around, as Mitsuba does of OBJ files alone.
-    if (!values.flag("flip_tex_coords", shape["type"] == "obj"))
+    if (!keeps_v)
         for (glm::vec2& uv : loaded.mesh.uvs) uv.y = 1.0f - uv.y;
     mesh_files_[key] = {uint32_t(assets.meshes.size()), loaded.origin};
     add_mesh(shape, std::move(loaded.mesh), glm::translate(to_world, loaded.origin), group);

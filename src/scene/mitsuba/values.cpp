@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace onde::mitsuba {
@@ -122,23 +123,29 @@ void Values::note_wrong(const Element& element) const {
 
 std::optional<double> Values::number(std::string_view name) const {
     const Element* found = document_.property(of_, name);
-    if (!found || (found->tag != "float" && found->tag != "integer")) return std::nullopt;
+    if (!found) return std::nullopt;
+    const bool is_number = found->tag == "float" || found->tag == "integer";
     const auto numbers = numbers_of((*found)["value"]);
-    if (numbers.size() == 1 && std::isfinite(numbers[0])) return numbers[0];
+    if (is_number && numbers.size() == 1 && std::isfinite(numbers[0])) return numbers[0];
     note_wrong(*found);
     return std::nullopt;
 }
 
 bool Values::flag(std::string_view name, bool absent) const {
     const Element* found = document_.property(of_, name);
-    if (!found || found->tag != "boolean") return absent;
-    const std::string& word = (*found)["value"];
-    return word == "true" || (word != "false" && absent);
+    if (!found) return absent;
+    std::string word = (*found)["value"];
+    std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (found->tag == "boolean" && (word == "true" || word == "false")) return word == "true";
+    note_wrong(*found);
+    return absent;
 }
 
 std::string Values::text(std::string_view name, const std::string& absent) const {
     const Element* found = document_.property(of_, name);
-    return found && found->tag == "string" ? (*found)["value"] : absent;
+    if (!found || found->tag == "string") return found ? (*found)["value"] : absent;
+    note_wrong(*found);
+    return absent;
 }
 
 glm::dvec3 Values::vector(std::string_view name, const glm::dvec3& absent) const {
@@ -152,7 +159,11 @@ glm::dvec3 Values::vector(std::string_view name, const glm::dvec3& absent) const
 glm::dmat4 Values::transform(std::string_view name) const {
     glm::dmat4 m(1.0);
     const Element* found = document_.property(of_, name);
-    if (!found || found->tag != "transform") return m;
+    if (!found) return m;
+    if (found->tag != "transform") {
+        note_wrong(*found);
+        return m;
+    }
     for (const Element& child : found->children)
         if (const auto by = step(child))
             m = *by * m;
@@ -186,8 +197,10 @@ std::optional<glm::dvec3> Values::color(std::string_view name) const {
 }
 
 double Values::index(std::string_view name, const char* absent) const {
-    if (const auto stated = number(name)) return *stated;
-    const std::string substance = text(name, absent);
+    const Element* found = document_.property(of_, name);
+    const bool is_named = !found || found->tag == "string";
+    if (const auto stated = is_named ? std::nullopt : number(name)) return *stated;
+    const std::string substance = is_named ? text(name, absent) : absent;
     if (const auto known = substance_index(substance)) return *known;
     document_.notes().wrong("Substances that Mitsuba does not know are bk7", substance);
     return *substance_index("bk7");

@@ -11,8 +11,8 @@ namespace onde::mitsuba {
 /// The numbers of a text, between blanks and commas; NaN for a word that is none.
 std::vector<double> numbers_of(std::string_view text);
 
-/// Reads what an element has by name. What is no number, or not finite, counts as absent, with a
-/// note.
+/// Reads what an element has by name. What is of another type, no number, or not finite, counts as
+/// absent, with a note.
 class Values {
   public:
     Values(const Document& document, const Element& of) : document_(document), of_(of) {}

@@ -106,6 +106,7 @@ void Reader::read_file(const fs::path& path) {
     if (ancestors_.size() >= MAX_DEPTH)
         throw InputError("{}: files are included more than {} deep; flatten them", path.string(),
                          MAX_DEPTH);
+    inclusions_.add(path);
     ancestors_.push_back(self);
     const std::string file_name = path.string();
     const auto text = text::decode(read_file_within(context_, path));
@@ -208,7 +209,10 @@ void Reader::camera() {
 void Reader::setting() {
     const std::string_view directive = directive_;
     const std::string kind = text("a kind");
-    read_setting(directive, kind, parameters(), scene_.assets().settings, notes_);
+    const Parameters p = parameters();
+    read_setting(directive, kind, p, scene_.assets().settings, notes_);
+    for (const std::string& unused : p.unused())
+        notes_.add(fmt::format("Other parameters of {} are ignored", directive), unused);
 }
 
 void Reader::no_setting() {

@@ -101,17 +101,22 @@ Parameters::Parameters(Tokens& tokens, GradualSpending& cost) : where_(tokens.wh
     }
 }
 
-const Parameter* Parameters::find(std::string_view name) const {
+const Parameter* Parameters::of_name(std::string_view name) const {
     const auto found = std::ranges::find(all_, name, &Parameter::name);
-    if (found == all_.end()) return nullptr;
-    found->is_used = true;
-    return &*found;
+    return found == all_.end() ? nullptr : &*found;
+}
+
+const Parameter* Parameters::find(std::string_view name) const {
+    const Parameter* found = of_name(name);
+    if (found) found->is_used = true;
+    return found;
 }
 
 const Parameter* Parameters::find(std::string_view name,
                                   std::initializer_list<std::string_view> types) const {
-    const Parameter* found = find(name);
+    const Parameter* found = of_name(name);
     if (!found || std::ranges::find(types, found->type) == types.end()) return nullptr;
+    found->is_used = true;
     return found;
 }
 
@@ -147,14 +152,16 @@ std::optional<glm::dvec3> Parameters::point(std::string_view name) const {
 
 const std::vector<double>& Parameters::numbers(std::string_view name) const {
     static const std::vector<double> NONE;
-    const Parameter* found = find(name);
-    return found ? found->numbers : NONE;
+    const Parameter* found = of_name(name);
+    if (!found || !found->texts.empty()) return NONE;
+    found->is_used = true;
+    return found->numbers;
 }
 
 std::vector<std::string> Parameters::unused() const {
     std::vector<std::string> names;
     for (const Parameter& parameter : all_)
-        if (!parameter.is_used) names.push_back(parameter.name);
+        if (!parameter.is_used) names.push_back(parameter.type + " " + parameter.name);
     return names;
 }
 

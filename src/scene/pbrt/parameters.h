@@ -48,10 +48,12 @@ class Parameters {
     /// All numbers of the parameter; none where it is absent.
     const std::vector<double>& numbers(std::string_view name) const;
 
-    /// Parameters that nobody has asked for.
+    /// Parameters that nobody has asked for, or not with their type: "string radius".
     std::vector<std::string> unused() const;
 
   private:
+    const Parameter* of_name(std::string_view name) const;
+
     std::string where_;
     std::vector<Parameter> all_;
 };

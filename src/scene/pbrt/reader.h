@@ -5,6 +5,7 @@
 
 #include "scene/exact_scene.h"
 #include "scene/file_words.h"
+#include "scene/inclusion_count.h"
 #include "scene/mesh_parts.h"
 #include "scene/pbrt/light.h"
 #include "scene/pbrt/material.h"
@@ -147,6 +148,7 @@ class Reader {
     Tokens* tokens_ = nullptr;
     std::string_view directive_;
     std::vector<std::filesystem::path> ancestors_;
+    InclusionCount inclusions_;
 
     State state_;
     std::vector<std::pair<char, State>> saved_;

@@ -43,6 +43,8 @@ std::optional<Textured> Textures::named(const std::string& name) {
         return std::nullopt;
     }
     converted_[name] = convert(found->second);
+    for (const std::string& unused : found->second.parameters.unused())
+        sources_.notes.add("Other parameters of textures are ignored", unused);
     in_work_.erase(name);
     return converted_[name];
 }

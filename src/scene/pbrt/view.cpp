@@ -25,9 +25,11 @@ void read_film(const Parameters& parameters, RenderSettings& settings, Notes& no
         if (parameters.has(name)) notes.add("The whole picture is rendered, whatever its crop");
     for (const char* name : {"iso", "exposuretime", "sensor", "whitebalance"})
         if (parameters.has(name)) notes.add("Films are the eye's, of exposure 1", name);
+    for (const char* name : {"filename", "diagonal", "savefp16"}) parameters.find(name);
 }
 
 void read_sampler(const std::string& kind, const Parameters& parameters, RenderSettings& settings) {
+    for (const char* name : {"randomization", "jitter"}) parameters.find(name);
     if (kind == "stratified") {
         const auto x = count(parameters, "xsamples"), y = count(parameters, "ysamples");
         settings.samples =

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <span>
 
 namespace onde {
 
@@ -15,7 +16,8 @@ namespace onde {
 using TextureReader = std::function<int32_t(std::string_view key, bool srgb)>;
 
 template <Fielded T>
-void read_fields(const TableReader& table, T& thing, const TextureReader& textures = {});
+void read_fields(const TableReader& table, T& thing, const TextureReader& textures = {},
+                 std::span<const std::string_view> others = {});
 
 namespace toml_detail {
 
@@ -111,9 +113,11 @@ inline std::string_view given_key(const TableReader& table, std::string_view key
 } // namespace toml_detail
 
 /// Members whose keys are absent keep their values. Throws InputError for values out of range and
-/// required keys that are missing. What is no key of the table is left to TableReader::allow().
+/// required keys that are missing. What is no key of the table is left to TableReader::allow(), and
+/// keys of `others` are not this thing's in this table.
 template <Fielded T>
-void read_fields(const TableReader& table, T& thing, const TextureReader& textures) {
+void read_fields(const TableReader& table, T& thing, const TextureReader& textures,
+                 std::span<const std::string_view> others) {
     const auto read_field = [&]<class Value>(const Field<T, Value, true>& field, Value& value) {
         const FieldRules& rules = field.rules;
         const std::string_view key = toml_detail::given_key(table, field.key, rules.alias);
@@ -129,7 +133,8 @@ void read_fields(const TableReader& table, T& thing, const TextureReader& textur
     };
     for_each_field(
         thing, [&]<class Value, bool HAS_KEY>(const Field<T, Value, HAS_KEY>& field, Value& value) {
-            if constexpr (HAS_KEY) read_field(field, value);
+            if constexpr (HAS_KEY)
+                if (std::ranges::find(others, field.key) == others.end()) read_field(field, value);
         });
 }
 

@@ -29,7 +29,9 @@ void TableReader::fail(std::string_view key, const std::string& problem) const {
 
 static std::string joined(std::span<const std::string_view> names) {
     std::string list;
-    for (std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+    for (auto name = names.begin(); name != names.end(); ++name)
+        if (std::find(names.begin(), name, *name) == name) // two of a table's things may know it
+            list += (list.empty() ? "" : ", ") + std::string(*name);
     return list;
 }
 

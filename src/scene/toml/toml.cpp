@@ -214,10 +214,12 @@ void TomlScene::read_material(const TableReader& table) {
     Material m;
     const MaterialKind kind = table.choice<MaterialKind>("kind").value_or(m.kind);
     if (kind == MaterialKind::conductor || kind == MaterialKind::dielectric) m.roughness = 0.0f;
-    read_fields(table, m, [&](std::string_view key, bool) {
+    const auto texture = [&](std::string_view key, bool) {
         check_texture(table, key);
         return NO_TEXTURE;
-    });
+    };
+    const bool is_phong = kind == MaterialKind::phong; // a key that both have is the chapter's
+    read_fields(table, m, texture, is_phong ? keys_of<Phong>() : std::vector<std::string_view>());
     const uint32_t index = uint32_t(scene_.materials.size());
     if (const auto phong = read_phong(table, m)) scene_.chapter.phong[index] = *phong;
     if (!material_of_name_.try_emplace(m.name, index).second)

@@ -20,7 +20,7 @@ class InclusionCount {
     }
 
   private:
-    static constexpr uint32_t MOST = 65536;
+    static constexpr uint32_t MOST = 16384;
 
     uint32_t count_ = 0;
 };

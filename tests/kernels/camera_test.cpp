@@ -262,7 +262,8 @@ TEST_CASE("a lens of blades is open where its corners say, evenly") {
         glm::dvec3 mean(0);
         for (const glm::dvec3& at : rays.origin) {
             for (uint32_t k = 0; k < blades; k++) { // each side's middle faces this way
-                const double angle = double(camera.aperture_rotation) + (k + 0.5) * 2 * M_PI / blades;
+                const double angle =
+                    double(camera.aperture_rotation) + (k + 0.5) * 2 * M_PI / blades;
                 REQUIRE(at.x * std::cos(angle) + at.y * std::sin(angle) < inner + 1e-6);
             }
             squares += at.x * at.x + at.y * at.y;

@@ -249,7 +249,7 @@ TEST_CASE("JSON that is no JSON is refused with its line") {
     };
     const Case cases[] = {
         {",\n\"extras\": }", "not valid JSON at line 3, column 11"},
-        {", \"extras\": 1e999", "the number 1e999 of its JSON is too large at line 1, column"},
+        {", \"extras\": 1e999", "the number 1e999 of its JSON is too large at line"},
         {", \"extras\": \"\xff\"", "not valid JSON"},
         {", \"extras\": 1} {\"a\": 1", "not valid JSON"},
         {", \"extras\": {\"a\": 1, \"a\": 2}", "'a' stands twice"},

@@ -284,7 +284,7 @@ TEST_CASE("what is wrong or unknown in a Mitsuba file costs its part and a note"
               "</shape>",
               "Values that are none"},
              {"<shape type='sphere'><float name='radiuss' value='2'/></shape>",
-              "Parameters that nothing asks for are ignored (a.xml:3: radiuss)"},
+              "Parameters that nothing asks for are ignored (radiuss, "},
              {"<emitter type='projector'/>", "kinds that Onde does not have"},
              {"<shape type='sphere'><bsdf type='hair'/></shape>", "diffuse grey"},
              {"<shape type='sphere'><transform name='to_world'><rotate "
@@ -382,5 +382,5 @@ TEST_CASE("Mitsuba files that include each other again and again are refused") {
     }
     folder.write("12.xml", scene_of(""));
     CHECK_THAT(test::load_error(folder.path() / "0.xml"),
-               Catch::Contains(".xml: more than 65536 files are included"));
+               Catch::Contains(".xml: more than 16384 files are included"));
 }

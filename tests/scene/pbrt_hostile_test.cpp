@@ -86,5 +86,5 @@ TEST_CASE("files that include each other again and again are refused, however sm
                      repeated(fmt::format("Include \"{}.pbrt\"\n", i + 1), 8));
     folder.write("12.pbrt", "");
     CHECK_THAT(load_error(folder.write("bomb.pbrt", "Include \"0.pbrt\"\n")),
-               Catch::Contains(".pbrt: more than 65536 files are included"));
+               Catch::Contains(".pbrt: more than 16384 files are included"));
 }

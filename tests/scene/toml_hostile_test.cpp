@@ -62,8 +62,9 @@ TEST_CASE("values of the wrong type are refused with their key") {
 }
 
 TEST_CASE("an aperture of two blades is refused") {
-    check_refused({SPHERE + "[[camera]]\nposition = [0, 0, 4]\nlook_at = [0, 0, 0]\naperture_blades "
-                            "= 2\n",
+    check_refused({SPHERE +
+                       "[[camera]]\nposition = [0, 0, 4]\nlook_at = [0, 0, 0]\naperture_blades "
+                       "= 2\n",
                    {"camera", "at least 3 blades"}});
 }
 

@@ -198,7 +198,7 @@ void Document::note_unused(const Element& element) const {
     for (const Element& child : element.children) {
         const std::string& name = child["name"];
         if (element.is_read && !child.is_used && is_in(PARAMETERS, child.tag) && !is_in(IDLE, name))
-            notes_.add("Parameters that nothing asks for are ignored", child.where + ": " + name);
+            notes_.add("Parameters that nothing asks for are ignored", name + ", " + child.where);
         note_unused(child);
     }
 }

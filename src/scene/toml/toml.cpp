@@ -161,13 +161,21 @@ static std::vector<bool> shown_materials(const Scene& scene) {
     return shown;
 }
 
+/// A key that materials and the chapter's both have is the chapter's alone in its own kind.
+static std::vector<std::string_view> keys_of_others(MaterialKind kind) {
+    if (kind != MaterialKind::phong) return {};
+    return keys_of<Phong>();
+}
+
 void TomlScene::read_textures(const TableReader& root) {
     const std::vector<bool> shown = shown_materials(scene_);
     size_t i = 0;
     for (const TableReader& table : root.tables("material")) {
         if (shown[i])
-            read_fields(table, scene_.materials[i],
-                        [&](std::string_view key, bool srgb) { return texture(table, key, srgb); });
+            read_fields(
+                table, scene_.materials[i],
+                [&](std::string_view key, bool srgb) { return texture(table, key, srgb); },
+                keys_of_others(scene_.materials[i].kind));
         ++i;
     }
 }
@@ -218,8 +226,7 @@ void TomlScene::read_material(const TableReader& table) {
         check_texture(table, key);
         return NO_TEXTURE;
     };
-    const bool is_phong = kind == MaterialKind::phong; // a key that both have is the chapter's
-    read_fields(table, m, texture, is_phong ? keys_of<Phong>() : std::vector<std::string_view>());
+    read_fields(table, m, texture, keys_of_others(kind));
     const uint32_t index = uint32_t(scene_.materials.size());
     if (const auto phong = read_phong(table, m)) scene_.chapter.phong[index] = *phong;
     if (!material_of_name_.try_emplace(m.name, index).second)

@@ -102,8 +102,8 @@ void fill_reflection(std::span<uint32_t> table) {
     });
 }
 
-/// The same of the coarse steps of the table with a grain.
-constexpr double LARGEST_GRAIN_ERROR = 9e-3;
+/// The same of the coarse steps of the table with a grain, as a share.
+constexpr double LARGEST_GRAIN_ERROR = 0.01;
 
 void fill_grain(std::span<uint32_t> table) {
     constexpr uint32_t ROW = GRAIN_COLUMNS, BLOCK = GRAIN_COLUMNS * ROW;
@@ -120,7 +120,7 @@ void fill_grain(std::span<uint32_t> table) {
             for (uint32_t column = 0; column < GRAIN_COLUMNS; column++) {
                 const double cosine = cosine_at(column, GRAIN_COLUMNS, seen);
                 ReflectionAlbedo a = grain_albedo(cosine, azimuth, along, across);
-                const double kept = std::min(a.white + LARGEST_GRAIN_ERROR, 1.0);
+                const double kept = std::min(a.white * (1 + LARGEST_GRAIN_ERROR), 1.0);
                 a.grazing = a.grazing * kept / a.white + LARGEST_GRAIN_ERROR;
                 a.white = kept;
                 table[block * BLOCK + row * ROW + column] =

@@ -97,7 +97,7 @@ TEST_CASE("what a grain reflects goes where its alphas say, by values and by sam
 
 TEST_CASE("white metal with a grain returns about all light, from wherever it comes") {
     std::vector<Surface> surfaces;
-    for (const double roughness : {0.0, 0.2, 0.45, 0.8})
+    for (const double roughness : {0.0, 0.2, 0.45, 0.8, 1.0})
         for (const double strength : {0.15, 0.4, 0.7, 1.0})
             surfaces.push_back(brushed(roughness, strength));
     surfaces.push_back(brushed(0.3, 0.6, 0));

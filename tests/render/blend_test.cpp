@@ -1,6 +1,5 @@
 // Surfaces that are one material in part and another in part.
-#include "render/picture.h"
-#include "render/variants.h"
+#include "render/same_bits.h"
 
 namespace onde::test {
 namespace {
@@ -59,12 +58,7 @@ TEST_CASE("a blend has the same bits in all engines and lanes") {
     floor.scene.materials[1] =
         doctor::furnace_material(MaterialKind::conductor, glm::vec3(0.9f), 0.4f);
     const RenderOptions options = small_options(16, 16, 8);
-    const Image wave = render_scene(floor.scene, apply(options, VARIANTS[0])).image;
-    for (const Variant& variant : VARIANTS) {
-        INFO(variant.name);
-        CHECK(first_difference(wave, render_scene(floor.scene, apply(options, variant)).image) ==
-              "");
-    }
+    check_same_bits(floor.scene, options);
 }
 
 } // namespace onde::test

@@ -1,6 +1,5 @@
 // Glass that bends light of each wavelength its own way.
-#include "render/picture.h"
-#include "render/variants.h"
+#include "render/same_bits.h"
 #include "shared/spectrum.h"
 #include "upload/spectrum_table.h"
 
@@ -138,11 +137,7 @@ TEST_CASE("light that disperses has the same bits in all engines and lanes") {
     for (size_t i = 0; i < scene.environment.map->pixels.size(); i++)
         scene.environment.map->pixels[i] = 0.1f + 0.3f * float(i % 7);
     RenderOptions options = small_options(16, 16, 4);
-    const Image wave = render_scene(scene, apply(options, VARIANTS[0])).image;
-    for (const Variant& variant : VARIANTS) {
-        INFO(variant.name);
-        CHECK(first_difference(wave, render_scene(scene, apply(options, variant)).image) == "");
-    }
+    check_same_bits(scene, options);
 }
 
 } // namespace onde::test

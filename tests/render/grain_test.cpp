@@ -1,6 +1,5 @@
 // Where the grain of a surface lies: by its texture coordinates, by its turn, by its texture.
-#include "render/picture.h"
-#include "render/variants.h"
+#include "render/same_bits.h"
 
 namespace onde::test {
 namespace {
@@ -81,12 +80,7 @@ TEST_CASE("a grain has the same bits in all engines and lanes") {
     Floor floor;
     floor.scene.spheres.push_back({{0, 0.1f, 0}, 0.05f, 0});
     RenderOptions options = small_options(16, 16, 4);
-    const Image wave = render_scene(floor.scene, apply(options, VARIANTS[0])).image;
-    for (const Variant& variant : VARIANTS) {
-        INFO(variant.name);
-        CHECK(first_difference(wave, render_scene(floor.scene, apply(options, variant)).image) ==
-              "");
-    }
+    check_same_bits(floor.scene, options);
 }
 
 } // namespace onde::test

@@ -1,6 +1,5 @@
 // What light meets on its way: absorption and scattering by what is inside of things and around.
-#include "render/picture.h"
-#include "render/variants.h"
+#include "render/same_bits.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -147,11 +146,7 @@ TEST_CASE("media have the same bits in all engines and lanes") {
     scene.environment.radiance = glm::vec3(0);
     RenderOptions options = small_options(16, 16, 4);
     options.depth = 8;
-    const Image wave = render_scene(scene, apply(options, VARIANTS[0])).image;
-    for (const Variant& variant : VARIANTS) {
-        INFO(variant.name);
-        CHECK(first_difference(wave, render_scene(scene, apply(options, variant)).image) == "");
-    }
+    check_same_bits(scene, options);
 }
 
 TEST_CASE("media are for what is clear, and for the path tracer") {

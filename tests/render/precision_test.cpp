@@ -133,9 +133,12 @@ void check_no_ray_meets_its_origin(Scene scene, glm::vec3 at) {
                     dark += value < 0.4999f;
                     seen += value < 0.75f;
                 }
-                // From far away, where what rays meet is rounded, a few slip between two edges;
-                // fewer where triangles are watertight.
-                const size_t most = distance < 1000 ? 0 : watertight ? 4000 : 400;
+                // Where far origins are rounded, a few rays slip between two edges, but for
+                // triangles that are watertight. Of central rays a few are lost even then.
+                const size_t most = distance < 1000 ? 0
+                                    : !watertight   ? 400
+                                    : parallel      ? 10000
+                                                    : 4000;
                 INFO((parallel ? "parallel" : "central")
                      << " rays from " << distance << (watertight ? ", watertight" : ""));
                 CHECK(dark <= (most ? image.pixels.size() / most : 0));

@@ -9,6 +9,8 @@ add_library(onde_bench_shared STATIC
   ${CMAKE_CURRENT_LIST_DIR}/front.cpp ${CMAKE_CURRENT_LIST_DIR}/model.cpp
   ${CMAKE_CURRENT_LIST_DIR}/pictures.cpp)
 target_include_directories(onde_bench_shared PUBLIC ${CMAKE_CURRENT_LIST_DIR})
-target_compile_definitions(onde_bench_shared PUBLIC ONDE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+set_source_files_properties(
+  ${CMAKE_CURRENT_LIST_DIR}/figures.cpp ${CMAKE_CURRENT_LIST_DIR}/engines.cpp
+  PROPERTIES COMPILE_DEFINITIONS "ONDE_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\"")
 target_link_libraries(onde_bench_shared PUBLIC onde_scene onde_accel embree TBB::tbb
                       nlohmann_json::nlohmann_json)

@@ -1,5 +1,6 @@
 // `onde cache`, and the kernels that it keeps.
 #include "onde_process.h"
+#include "support/folders.h"
 
 using namespace onde::test;
 
@@ -50,7 +51,7 @@ TEST_CASE(
     CHECK_THAT(prewarmed, Catch::Contains("a closed room with spheres       compiled in "));
     CHECK_THAT(prewarmed, Catch::Contains("textured glTF, beyond the cache  compiled in "));
     CHECK(std::count(prewarmed.begin(), prewarmed.end(), '\n') == 7);
-    const std::string shapes = std::string(ONDE_SOURCE_DIR) + "/scenes/shapes.toml";
+    const std::string shapes = in_project("scenes/shapes.toml");
     for (const std::string& scene : {std::string(CORNELL), shapes}) {
         INFO(scene);
         const Outcome outcome =

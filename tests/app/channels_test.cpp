@@ -1,6 +1,7 @@
 // Channels of pictures that need a scene of their own: groups of lights, and what scenes ask for.
 #include "image/image_io.h"
 #include "onde_process.h"
+#include "support/folders.h"
 
 #include <nlohmann/json.hpp>
 
@@ -155,10 +156,9 @@ position = [-1, 0.5, 0]
 
 /// Decodes a file by the script beside this test.
 void check_cryptomatte(const Folder& folder, const std::string& arguments) {
-    const std::string command = "cd " + folder.path().string() +
-                                " && /usr/bin/python3 " ONDE_SOURCE_DIR
-                                "/tests/app/cryptomatte.py " +
-                                arguments + " > decoded.txt 2> problem.txt";
+    const std::string command = "cd " + folder.path().string() + " && /usr/bin/python3 " +
+                                in_project("tests/app/cryptomatte.py ") + arguments +
+                                " > decoded.txt 2> problem.txt";
     const int status = std::system(command.c_str());
     INFO(content(folder / "problem.txt"));
     CHECK(status == 0);

@@ -1,5 +1,6 @@
 // The command line itself: its version, its help, its output.
 #include "onde_process.h"
+#include "support/folders.h"
 
 using namespace onde::test;
 
@@ -40,7 +41,7 @@ TEST_CASE("reference prints the keys of scene files as tables") {
 TEST_CASE("an output that nobody can read is an error and not a success") {
     const Folder folder;
     const std::string command =
-        ONDE_BINARY " info " + CORNELL + " > /dev/full 2> " + (folder / "err").string();
+        built_program() + " info " + CORNELL + " > /dev/full 2> " + (folder / "err").string();
     const int status = std::system(command.c_str());
     CHECK(WEXITSTATUS(status) == 2);
     CHECK(content(folder / "err") == "onde: standard output could not be written\n");

@@ -1,5 +1,6 @@
 // `onde doctor`: its lines, its JSON, its exit code.
 #include "onde_process.h"
+#include "support/folders.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,8 +11,7 @@ namespace {
 
 /// A folder of kernels whose sine has the wrong sign.
 void plant_fault(const Folder& folder) {
-    fs::copy(fs::path(ONDE_SOURCE_DIR) / "kernels", folder / "kernels",
-             fs::copy_options::recursive);
+    fs::copy(fs::path(in_project("kernels")), folder / "kernels", fs::copy_options::recursive);
     const std::string file = "kernels/math/elementary.h", right = "-sine, sine",
                       wrong = "sine, -sine";
     std::string text = content(folder / file);

@@ -1,5 +1,6 @@
 // Homes, disks and systems that are not as they should be: a picture all the same.
 #include "onde_process.h"
+#include "support/folders.h"
 
 using namespace onde::test;
 
@@ -13,7 +14,7 @@ void check_picture(const std::string& before, const std::string& last = "exec $O
         return;
     }
     const Folder folder;
-    folder.write("run.sh", "cd " + folder.path().string() + "\nexport ONDE=\"" + ONDE_BINARY +
+    folder.write("run.sh", "cd " + folder.path().string() + "\nexport ONDE=\"" + built_program() +
                                " render " + CORNELL +
                                " --lanes 1 --size 16x12 --spp 1 --quiet -o picture.png\"\n"
                                "export ONDE_CACHE_DIR=" +

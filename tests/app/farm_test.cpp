@@ -1,5 +1,6 @@
 // `onde farm`: the job files for schedulers run as they are.
 #include "onde_process.h"
+#include "support/folders.h"
 
 using namespace onde::test;
 
@@ -21,7 +22,7 @@ Arguments job(const std::string& scheduler, const Arguments& more = PICTURE) {
 
 /// As nodes of a cluster run it, where onde is on the path.
 int run_twice_at_once(const Folder& folder, const std::string& script) {
-    const std::string path = fs::path(ONDE_BINARY).parent_path();
+    const std::string path = fs::path(built_program()).parent_path();
     return std::system(("cd " + folder.path().string() + " && export PATH=" + path +
                         ":$PATH ONDE_CACHE_DIR=" + test_cache_folder().string() + " && { bash " +
                         script + " & other=$!; bash " + script + " && wait $other; }")

@@ -1,12 +1,13 @@
 // `onde gallery`: the page, and what stands in its way.
 #include "image/image_io.h"
 #include "onde_process.h"
+#include "support/folders.h"
 
 using namespace onde::test;
 
 namespace {
 
-const std::string CHAPTER = ONDE_SOURCE_DIR "/scenes/chapter/";
+const std::string CHAPTER = in_project("scenes/chapter/");
 
 Outcome gallery(const Folder& folder, const Arguments& scenes, const Arguments& more = {}) {
     Arguments all{"gallery", "--spp", "1", "-o", "page"};

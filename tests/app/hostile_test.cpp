@@ -1,6 +1,7 @@
 // Whatever is wrong with the input: one sentence, the right exit code, and nothing written.
 #include "image/image_io.h"
 #include "onde_process.h"
+#include "support/folders.h"
 
 #include <cstring>
 #include <limits>
@@ -276,7 +277,7 @@ TEST_CASE("kernels that are not there or do not compile are named with file and 
                   "there is no kernel file \"trace/layout_wide.h\" in nothing", NO_DEVICE);
 
     const fs::path kernels = folder / "kernels";
-    fs::copy(ONDE_SOURCE_DIR "/kernels", kernels, fs::copy_options::recursive);
+    fs::copy(in_project("kernels"), kernels, fs::copy_options::recursive);
     const fs::path broken = kernels / "path" / "path.h";
     const std::string text = content(broken);
     const std::string line = std::to_string(1 + std::count(text.begin(), text.end(), '\n'));

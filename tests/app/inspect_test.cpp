@@ -1,11 +1,12 @@
 // `onde inspect`.
 #include "onde_process.h"
+#include "support/folders.h"
 
 using namespace onde::test;
 
 TEST_CASE("inspect tells what happened to a pixel, in words and as a graph") {
     const Folder folder;
-    const std::string scene = ONDE_SOURCE_DIR "/scenes/chapter/five-objects.toml";
+    const std::string scene = in_project("scenes/chapter/five-objects.toml");
     const Arguments view{"inspect", scene, "--size", "64x64", "--pixel", "32,36"};
     Arguments tree = view;
     for (const char* word : {"--integrator", "whitted", "--dot", "tree.dot"}) tree.push_back(word);
@@ -62,7 +63,7 @@ TEST_CASE("inspect says where a path meets the ground under a model, and what is
 
 TEST_CASE("inspect refuses what is no pixel") {
     const Folder folder;
-    const std::string scene = ONDE_SOURCE_DIR "/scenes/chapter/five-objects.toml";
+    const std::string scene = in_project("scenes/chapter/five-objects.toml");
     for (const char* pixel : {"64,3", "3", "-1,2", "1,2,3"}) {
         INFO(pixel);
         const Outcome outcome = onde::test::onde(

@@ -1,6 +1,7 @@
 // Motion vectors as the program writes them: what they lead to, names, films, and what is said.
 #include "image/image_io.h"
 #include "onde_process.h"
+#include "support/folders.h"
 
 #include <nlohmann/json.hpp>
 
@@ -8,7 +9,7 @@ using namespace onde::test;
 
 namespace {
 
-const std::string SLIDE = ONDE_SOURCE_DIR "/tests/data/motion/slide.gltf"; ///< right and up in 1 s
+const std::string SLIDE = in_project("tests/data/motion/slide.gltf"); ///< right and up in 1 s
 
 Outcome succeed(const Folder& folder, const Arguments& arguments) {
     const Outcome outcome = onde::test::onde(folder, arguments);
@@ -182,7 +183,7 @@ TEST_CASE("a scene file asks for motion, of the animated files that it includes"
 
 TEST_CASE("the motion of a moment at which nothing moves is said to be 0") {
     const Folder folder;
-    const std::string still = ONDE_SOURCE_DIR "/scenes/cornell.toml";
+    const std::string still = in_project("scenes/cornell.toml");
     const Outcome outcome = succeed(folder, render(still, {"--at", "0", "--aov", "motion", "--size",
                                                            "16x16", "--spp", "1", "-o", "a.exr"}));
     CHECK_THAT(outcome.err, Catch::Contains("Nothing in the file is animated"));

@@ -1,6 +1,7 @@
 // The real program, run as a user runs it.
 #pragma once
 
+#include "support/folders.h"
 #include "support/test_cache_folder.h"
 
 #include <catch2/catch.hpp>
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 using Environment = std::map<std::string, std::string>;
 
-inline const std::string CORNELL = ONDE_SOURCE_DIR "/scenes/cornell.toml";
+inline const std::string CORNELL = in_project("scenes/cornell.toml");
 
 /// Small, and the same everywhere, so that one program is compiled for all tests.
 inline Arguments render(const std::string& scene, const Arguments& more = {}) {
@@ -141,7 +142,7 @@ class Process {
 
     [[noreturn]] void become_onde(const Folder& folder, const Arguments& arguments,
                                   const Environment& environment, const Arguments& launcher) const {
-        const fs::path home = fs::path(ONDE_BINARY).parent_path() / "home-of-app-tests";
+        const fs::path home = fs::path(built_program()).parent_path() / "home-of-app-tests";
         fs::create_directories(home);
         setenv("HOME", home.c_str(), 1);
         setenv("ONDE_CACHE_DIR", test_cache_folder().c_str(), 1);
@@ -151,7 +152,7 @@ class Process {
         redirect(STDOUT_FILENO, streams_ / "out");
         redirect(STDERR_FILENO, streams_ / "err");
         Arguments words = launcher;
-        words.emplace_back(ONDE_BINARY);
+        words.emplace_back(built_program());
         words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());

@@ -1,6 +1,7 @@
 // What `onde` leaves where it writes: whole files, whatever happens to it or to the disk.
 #include "image/image_io.h"
 #include "onde_process.h"
+#include "support/folders.h"
 
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
@@ -89,7 +90,7 @@ TEST_CASE("what a command reads is not overwritten, by whatever name") {
     folder.write("crate.obj", "mtllib crate.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
                               "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
     folder.write("crate.mtl", "newmtl m\nmap_Kd crate.png\n");
-    const fs::path images = ONDE_SOURCE_DIR "/tests/data/fuzz/image";
+    const fs::path images = in_project("tests/data/fuzz/image");
     fs::copy_file(images / "rgb.png", folder / "crate.png");
     fs::create_symlink("crate.obj", folder.path() / "link.png");
     fs::copy_file(images / "plain.hdr", folder / "sky.hdr");

@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "image/image_io.h"
 #include "onde_process.h"
+#include "support/folders.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -102,13 +103,13 @@ TEST_CASE("--json writes the numbers of a render for scripts") {
 
 TEST_CASE("a scene given to another integrator is rendered, and what was mapped is told") {
     const Folder folder;
-    const std::string furnace = ONDE_SOURCE_DIR "/scenes/furnace.toml"; // of depth 256
+    const std::string furnace = in_project("scenes/furnace.toml"); // of depth 256
     const Outcome whitted =
         onde::test::onde(folder, render(furnace, {"--integrator", "whitted", "-o", "w.png"}));
     INFO(whitted.err);
     CHECK(whitted.code == 0);
     CHECK_THAT(whitted.err, Catch::Contains("depth of 256 was cut to 255"));
-    const std::string tori = ONDE_SOURCE_DIR "/scenes/chapter/tori.toml";
+    const std::string tori = in_project("scenes/chapter/tori.toml");
     const Outcome path =
         onde::test::onde(folder, render(tori, {"--integrator", "path", "-o", "p.png"}));
     INFO(path.err);
@@ -156,7 +157,7 @@ TEST_CASE("the same seed gives the same pixels and another seed others") {
 
 TEST_CASE("--light-sampler decides which light a path samples, and so which film goes on") {
     const Folder folder;
-    const std::string lights = ONDE_SOURCE_DIR "/scenes/lights.toml";
+    const std::string lights = in_project("scenes/lights.toml");
     const auto film_by = [&](const char* sampler, const Arguments& more) {
         Arguments all{"--light-sampler", sampler, "--spp", "64", "--film"};
         all.insert(all.end(), more.begin(), more.end());
@@ -344,7 +345,7 @@ TEST_CASE(
     "a tree in a layout for GPUs renders the wide one's picture, with and without instances") {
     const Folder folder;
     for (const char* scene : {"cornell", "instances"}) {
-        const std::string file = fmt::format(ONDE_SOURCE_DIR "/scenes/{}.toml", scene);
+        const std::string file = in_project(fmt::format("scenes/{}.toml", scene));
         std::vector<onde::Image> pictures;
         for (const char* layout : {"wide", "compressed", "binary"}) {
             INFO(scene << ", " << layout);
@@ -372,8 +373,8 @@ TEST_CASE(
 TEST_CASE(
     "every integrator that traces rays makes the wide tree's picture from the other layouts") {
     const Folder folder;
-    const std::string five = ONDE_SOURCE_DIR "/scenes/chapter/five-objects.toml";
-    const std::string tori = ONDE_SOURCE_DIR "/scenes/chapter/tori-glass.toml";
+    const std::string five = in_project("scenes/chapter/five-objects.toml");
+    const std::string tori = in_project("scenes/chapter/tori-glass.toml");
     const std::pair<std::string, const char*> pictures[] = {
         {five, "whitted"}, {tori, "whitted"}, {CORNELL, "light"}};
     for (const auto& [scene, integrator] : pictures) {

@@ -1,6 +1,7 @@
 // Numbered pictures: a camera that goes round the scene, the frames of an animation.
 #include "image/image_io.h"
 #include "onde_process.h"
+#include "support/folders.h"
 
 #include <nlohmann/json.hpp>
 
@@ -8,7 +9,7 @@ using namespace onde::test;
 
 namespace {
 
-const std::string SLIDE = ONDE_SOURCE_DIR "/tests/data/motion/slide.gltf"; ///< right and up in 1 s
+const std::string SLIDE = in_project("tests/data/motion/slide.gltf"); ///< right and up in 1 s
 
 size_t count(const std::string& text, const std::string& part) {
     size_t found = 0;

@@ -1,5 +1,6 @@
 // Many files, a picture each: names, failures and what they leave alone.
 #include "onde_process.h"
+#include "support/folders.h"
 
 using namespace onde::test;
 
@@ -87,7 +88,7 @@ TEST_CASE("thumbnail says of a folder and of an empty name what they are") {
 TEST_CASE("thumbnail compiles once for models of all kinds, and pictures them as render does") {
     const Folder folder;
     const Environment own{{"ONDE_CACHE_DIR", (folder / "cache").string()}};
-    const fs::path data = ONDE_SOURCE_DIR "/tests/data";
+    const fs::path data = in_project("tests/data");
     folder.write("leaf.mtl", "newmtl leaf\nKd .2 .6 .1\nd .5\nnewmtl glass\nNi 1.5\nd .1\n"
                              "newmtl mirror\nillum 3\nKd 0 0 0\nKs .9 .8 .7\n");
     folder.write("leaf.obj", "mtllib leaf.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl leaf\n"

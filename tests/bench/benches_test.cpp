@@ -1,6 +1,7 @@
 // What the benches promise beside speed: figures under the keys that scripts read, and one sentence
 // with exit code 2 for wrong input.
 #include "app/onde_process.h"
+#include "support/folders.h"
 
 #include <nlohmann/json.hpp>
 
@@ -58,10 +59,9 @@ TEST_CASE("the traversal bench compares five ray sets with the same answers as E
 TEST_CASE("the traversal bench races other kernels over the sets and walks that are asked for") {
     const Folder folder;
     const std::string mine = (folder / "kernels").string();
-    std::filesystem::copy(ONDE_SOURCE_DIR "/kernels", mine,
-                          std::filesystem::copy_options::recursive);
+    std::filesystem::copy(in_project("kernels"), mine, std::filesystem::copy_options::recursive);
     folder.write("kernels/trace/bvh_stream_occluded.h",
-                 content(ONDE_SOURCE_DIR "/kernels/trace/bvh_stream_occluded.h") + "// mine\n");
+                 content(in_project("kernels/trace/bvh_stream_occluded.h")) + "// mine\n");
     const Json list = figures_of("traversal '" + CORNELL + "' --side 64 --repetitions 1 --sets ao" +
                                  " --traversals stream --against '" + mine + "'");
     REQUIRE(values_of(list, "set") == std::set<std::string>{"ao"});

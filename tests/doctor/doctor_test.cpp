@@ -1,6 +1,7 @@
 // Doctor passes the kernels as they are, and finds what is planted in a copy of them.
 #include "doctor/check.h"
 #include "doctor/faults.h"
+#include "support/folders.h"
 #include "support/programs.h"
 
 #include <catch2/catch.hpp>
@@ -14,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path KERNELS = fs::path(ONDE_SOURCE_DIR) / "kernels";
+const fs::path KERNELS = fs::path(in_project("kernels"));
 
 /// A folder of kernels with a fault; removed with everything in it.
 class FaultyFolder {

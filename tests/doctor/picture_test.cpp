@@ -3,6 +3,7 @@
 #include "doctor/built_in_scene.h"
 #include "doctor/checks.h"
 #include "doctor/pictures.h"
+#include "support/folders.h"
 #include "support/programs.h"
 
 #include <catch2/catch.hpp>
@@ -15,7 +16,7 @@
 namespace onde::test {
 namespace {
 
-const std::string FILE_OF_PICTURE = ONDE_SOURCE_DIR "/src/doctor/built_in_picture.h";
+const std::string FILE_OF_PICTURE = in_project("src/doctor/built_in_picture.h");
 
 /// Puts the words of the picture that these kernels make into the source.
 void write_picture() {

@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "gpu/program.h"
 #include "gpu/temporary_folder.h"
+#include "support/folders.h"
 
 #include <catch2/catch.hpp>
 
@@ -20,7 +21,7 @@ static std::string text_of(const fs::path& file) {
 }
 
 TEST_CASE("every kernel file is embedded, byte by byte") {
-    const fs::path kernels = fs::path(ONDE_SOURCE_DIR) / "kernels";
+    const fs::path kernels = fs::path(onde::test::in_project("kernels"));
     size_t count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(kernels)) {
         const std::string extension = entry.path().extension().string();
@@ -86,7 +87,7 @@ TEST_CASE("a kernel folder that is not there is wrong input") {
 
 TEST_CASE("the hash of kernels is that of their texts, wherever they are from") {
     const std::string embedded = KernelSources::embedded().hash();
-    CHECK(KernelSources::folder(ONDE_SOURCE_DIR "/kernels").hash() == embedded);
+    CHECK(KernelSources::folder(onde::test::in_project("kernels")).hash() == embedded);
     test::TemporaryFolder folder;
     folder.write("a.cl", "// one");
     const std::string one = KernelSources::folder(folder.path()).hash();

@@ -1,5 +1,6 @@
 // The kinds of scenes that kernels are compiled for in advance.
 #include "scene/load.h"
+#include "support/folders.h"
 #include "upload/common_features.h"
 
 #include <catch2/catch.hpp>
@@ -9,7 +10,7 @@
 using namespace onde;
 
 static bool is_common(const std::string& scene) {
-    const std::string path = std::string(ONDE_SOURCE_DIR) + "/scenes/" + scene;
+    const std::string path = onde::test::in_project("scenes/") + scene;
     const std::vector<std::string> defines = pack_scene(load_scene(path)).features.defines();
     return std::ranges::any_of(common_features(), [&](const CommonFeatures& kind) {
         return kind.features.defines() == defines;

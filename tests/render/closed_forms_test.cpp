@@ -1,6 +1,7 @@
 // Pictures whose every pixel is known: furnaces, and a floor under simple lights.
 #include "doctor/furnaces.h"
 #include "render/picture.h"
+#include "support/folders.h"
 
 #include <cmath>
 #include <numbers>
@@ -93,7 +94,7 @@ TEST_CASE("a white ball returns all light, however rough, whatever it is made of
 
 TEST_CASE("a file's white metal of roughness 1 returns all light") {
     const Scene scene =
-        load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "tests/data/furnace/rough-metal.toml");
+        load_scene(std::filesystem::path(in_project("tests/data/furnace/rough-metal.toml")));
     const Statistics s = statistics(render_scene(scene, small_options(32, 32, 256)).image);
     INFO("mean " << s.mean << ", deviation " << s.deviation);
     CHECK(s.deviation < 0.003);

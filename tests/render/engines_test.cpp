@@ -1,12 +1,13 @@
 // The engines, widths, launches and splits are different ways to the same bits.
 #include "render/picture.h"
 #include "render/variants.h"
+#include "support/folders.h"
 
 namespace onde::test {
 namespace {
 
 Scene five_objects() {
-    return load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/chapter/five-objects.toml");
+    return load_scene(std::filesystem::path(in_project("scenes/chapter/five-objects.toml")));
 }
 
 } // namespace

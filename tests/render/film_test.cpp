@@ -1,6 +1,7 @@
 // Any split of a render, resumed anywhere and by any engine, makes the same film.
 #include "render/picture.h"
 #include "render/variants.h"
+#include "support/folders.h"
 
 #include <cstring>
 
@@ -13,8 +14,7 @@ constexpr IntegratorKind INTEGRATORS[] = {IntegratorKind::path, IntegratorKind::
 
 /// A scene and what renders it.
 struct Studio {
-    Scene scene =
-        load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/chapter/five-objects.toml");
+    Scene scene = load_scene(std::filesystem::path(in_project("scenes/chapter/five-objects.toml")));
     DeviceScene placed = place_on_device(scene);
 
     std::unique_ptr<Integrator> integrator(const RenderOptions& options) const {

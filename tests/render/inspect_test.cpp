@@ -2,13 +2,13 @@
 #include "render/picture.h"
 #include "session/inspect.h"
 #include "session/integrators.h"
+#include "support/folders.h"
 
 namespace onde::test {
 namespace {
 
 struct Replay {
-    Scene scene =
-        load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/chapter/five-objects.toml");
+    Scene scene = load_scene(std::filesystem::path(in_project("scenes/chapter/five-objects.toml")));
     DeviceScene placed = place_on_device(scene);
     RenderOptions options = small_options(24, 24, 1);
 

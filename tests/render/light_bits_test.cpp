@@ -1,12 +1,13 @@
 // What light tracing repeats: the same bits however the work is cut; and what it counts.
 #include "core/error.h"
 #include "render/light_picture.h"
+#include "support/folders.h"
 
 namespace onde::test {
 namespace {
 
 Scene lights_scene() {
-    return load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/lights.toml");
+    return load_scene(std::filesystem::path(in_project("scenes/lights.toml")));
 }
 
 /// The first value that differs, in words; empty when none does.
@@ -21,7 +22,7 @@ std::string first_difference(const Image& a, const Image& b) {
 
 TEST_CASE("light tracing gives the same bits for every engine, width, wave size, chunk and run") {
     for (const char* name : {"lights.toml", "cornell.toml", "chapter/five-objects.toml"}) {
-        const Scene scene = load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes" / name);
+        const Scene scene = load_scene(std::filesystem::path(in_project("scenes")) / name);
         const DeviceScene placed = place_on_device(scene);
         RenderOptions options = small_options(40, 28, 8);
         const LightPicture expected = trace_light(placed, scene, options);

@@ -1,6 +1,7 @@
 // Light tracing against the independent reference, which traces paths from the camera: the same
 // expected picture, but for what smooth mirrors and glass show.
 #include "render/light_picture.h"
+#include "support/folders.h"
 
 #include <numbers>
 
@@ -37,7 +38,7 @@ void check_light(const Scene& scene, const Case& c) {
 }
 
 Scene load(const char* name) {
-    return load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes" / name);
+    return load_scene(std::filesystem::path(in_project("scenes")) / name);
 }
 
 uint32_t add_material(Scene& scene, const Material& material) {

@@ -1,6 +1,7 @@
 // Renders that their noise ends: what is said of it holds, and the picture is a function of scene,
 // options and seed.
 #include "render/noise.h"
+#include "support/folders.h"
 
 #include "render/picture.h"
 #include "render/variants.h"
@@ -12,7 +13,7 @@ namespace onde::test {
 namespace {
 
 Scene scene_of(const char* name) {
-    return load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes" / name);
+    return load_scene(std::filesystem::path(in_project("scenes")) / name);
 }
 
 RenderOptions noisy_options(uint32_t width, uint32_t height, float noise) {

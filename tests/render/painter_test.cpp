@@ -2,6 +2,7 @@
 // where they interlace; and blending against its closed form.
 #include "chapter/raster_painter.h"
 #include "render/raster_picture.h"
+#include "support/folders.h"
 
 namespace onde::test {
 namespace {
@@ -28,7 +29,7 @@ void make_translucent(Scene& scene, uint32_t material, float transmission) {
 }
 
 Scene chapter_scene(const char* name) {
-    return load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/chapter" / name);
+    return load_scene(std::filesystem::path(in_project("scenes/chapter")) / name);
 }
 
 /// Pixels of a rectangle that differ.

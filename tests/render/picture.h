@@ -7,6 +7,7 @@
 #include "session/session.h"
 #include "support/all_features.h"
 #include "support/assets.h"
+#include "support/folders.h"
 #include "support/probe.h"
 
 #include <catch2/catch.hpp>
@@ -91,7 +92,7 @@ inline Picture render_scene(const Scene& scene, const RenderOptions& options) {
 /// The scene files of the project, in alphabetical order, without the parts that they include.
 inline std::vector<std::filesystem::path> project_scenes() {
     std::vector<std::filesystem::path> scenes;
-    const auto folder = std::filesystem::path(ONDE_SOURCE_DIR) / "scenes";
+    const auto folder = std::filesystem::path(in_project("scenes"));
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
         if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "parts")
             scenes.push_back(entry.path());

@@ -2,6 +2,7 @@
 #include "render/faceted_ball.h"
 #include "render/picture.h"
 #include "scene/scratch.h"
+#include "support/folders.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -13,8 +14,7 @@ namespace {
 
 /// A case of tests/data/precision.
 Scene loaded(const std::string& name) {
-    return load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "tests" / "data" / "precision" /
-                      name);
+    return load_scene(std::filesystem::path(in_project("tests/data")) / "precision" / name);
 }
 
 Image picture_of(const Scene& scene, uint32_t samples = 16) {

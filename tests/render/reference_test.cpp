@@ -1,5 +1,6 @@
 // The device's pictures against the independent reference renderer, by a Z-test.
 #include "render/picture.h"
+#include "support/folders.h"
 #include "support/reference/compare.h"
 
 namespace onde::test {
@@ -20,7 +21,7 @@ Comparison compare_both(const Scene& scene, uint32_t depth, uint32_t samples) {
 }
 
 void check_file(const char* name, uint32_t samples = 256) {
-    const Scene scene = load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes" / name);
+    const Scene scene = load_scene(std::filesystem::path(in_project("scenes")) / name);
     const Comparison comparison = compare_both(scene, scene.settings.depth.value_or(8), samples);
     INFO(name << ": " << comparison.sentence);
     CHECK(comparison.accepted);

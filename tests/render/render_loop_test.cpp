@@ -1,11 +1,12 @@
 // Passes, limits and interruptions.
 #include "render/picture.h"
+#include "support/folders.h"
 
 namespace onde::test {
 namespace {
 
 Scene small_scene() {
-    return load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/cornell.toml");
+    return load_scene(std::filesystem::path(in_project("scenes/cornell.toml")));
 }
 
 } // namespace

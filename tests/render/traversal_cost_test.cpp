@@ -4,12 +4,13 @@
 #include "render/picture.h"
 #include "render/traversal_cost.h"
 #include "render/variants.h"
+#include "support/folders.h"
 
 namespace onde::test {
 namespace {
 
 Scene scene_file(const std::string& name) {
-    return load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes" / name);
+    return load_scene(std::filesystem::path(in_project("scenes")) / name);
 }
 
 TraversalCost map_of(const Scene& scene, const BvhOptions& bvh, const RenderOptions& options) {

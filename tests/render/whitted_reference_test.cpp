@@ -2,6 +2,7 @@
 #include "render/picture.h"
 #include "scene/phong.h"
 #include "support/chapter/check_picture.h"
+#include "support/folders.h"
 
 #include <iostream>
 
@@ -11,7 +12,7 @@ namespace {
 constexpr double TOLERANCE = 1e-4;
 
 std::filesystem::path scene_folder() {
-    return std::filesystem::path(ONDE_SOURCE_DIR) / "scenes";
+    return std::filesystem::path(in_project("scenes"));
 }
 
 std::vector<std::filesystem::path> chapter_scenes() {

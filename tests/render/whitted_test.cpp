@@ -3,6 +3,7 @@
 #include "render/picture.h"
 #include "render/variants.h"
 #include "shared/whitted.h"
+#include "support/folders.h"
 
 namespace onde::test {
 namespace {
@@ -22,7 +23,7 @@ Scene with_unused_dispersive_glass(Scene scene) {
 
 Scene mirrors_and_glass() {
     return with_unused_dispersive_glass(
-        load_scene(std::filesystem::path(ONDE_SOURCE_DIR) / "scenes/chapter/five-objects.toml"));
+        load_scene(std::filesystem::path(in_project("scenes/chapter/five-objects.toml"))));
 }
 
 RenderOptions whitted_options(const Scene& scene, uint32_t samples) {

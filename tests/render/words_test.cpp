@@ -4,6 +4,7 @@
 #include "image/image_io.h"
 #include "render/options.h"
 #include "scene/toml/keys.h"
+#include "support/folders.h"
 
 #include <catch2/catch.hpp>
 
@@ -13,7 +14,7 @@ namespace onde {
 namespace {
 
 std::string documentation() {
-    const std::filesystem::path root(ONDE_SOURCE_DIR);
+    const std::filesystem::path root(onde::test::in_project(""));
     std::string text = read_file(root / "README.md");
     for (const auto& entry : std::filesystem::directory_iterator(root / "docs"))
         if (entry.path().extension() == ".md") text += read_file(entry.path());

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "scene/load.h"
 #include "support/assets.h"
+#include "support/folders.h"
 
 #include <catch2/catch.hpp>
 
@@ -82,7 +83,7 @@ TEST_CASE("invalid files are refused or load as valid scenes") {
 }
 
 TEST_CASE("our own odd files, among them what fuzzing found, are refused or load as valid scenes") {
-    const fs::path folder = fs::path(ONDE_SOURCE_DIR) / "tests" / "data";
+    const fs::path folder = fs::path(onde::test::in_project("tests/data"));
     const Tally tally =
         load_all(folder, {".gltf", ".glb", ".obj", ".ply", ".stl", ".toml", ".pbrt", ".xml"});
     CHECK(tally.loaded >= 9);

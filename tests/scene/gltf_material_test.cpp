@@ -1,6 +1,7 @@
 // Materials, textures and images of glTF.
 #include "gltf_quad.h"
 #include "scene/phong.h"
+#include "support/folders.h"
 
 using namespace onde;
 using namespace onde::test;
@@ -95,8 +96,7 @@ TEST_CASE("of EXT_texture_webp's two images the WebP is taken, and the other whe
     ScratchFolder folder;
     folder.write("quad.bin", quad_bytes());
     folder.write("blue.png", blue_png());
-    fs::copy(std::string(ONDE_SOURCE_DIR) + "/tests/data/fuzz/image/lossless.webp",
-             folder.path() / "a.webp");
+    fs::copy(in_project("tests/data/fuzz/image/lossless.webp"), folder.path() / "a.webp");
     const auto width = [&](const char* image) {
         const Scene scene = load_scene(
             folder.write("q.gltf", quad_gltf(R"([{"mesh": 0}])", R"(, "material": 0)", R"(,

@@ -1,6 +1,7 @@
 // Geometry as a glTF file poses it: morph targets, skins, animations, instances, scenes, variants.
 #include "gltf_builder.h"
 #include "support/assets.h"
+#include "support/folders.h"
 
 #include <cmath>
 
@@ -290,7 +291,7 @@ TEST_CASE("a test model whose cubes move by their interpolation stands where its
 TEST_CASE("the fuzzer's first glTF files load, whatever they compress or move") {
     size_t loaded = 0;
     for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(ONDE_SOURCE_DIR) + "/tests/data/fuzz")) {
+         std::filesystem::directory_iterator(onde::test::in_project("tests/data/fuzz"))) {
         if (entry.path().extension() != ".gltf") continue;
         INFO(entry.path().string());
         LoadOptions options;

@@ -2,6 +2,7 @@
 #include "core/files.h"
 #include "scene/file_words.h"
 #include "scene/reference.h"
+#include "support/folders.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,7 +15,7 @@ namespace {
 const std::string END = "<!-- end -->\n";
 
 std::string page() {
-    return read_file(std::string(ONDE_SOURCE_DIR) + "/docs/scene-format.md");
+    return read_file(onde::test::in_project("docs/scene-format.md"));
 }
 
 } // namespace

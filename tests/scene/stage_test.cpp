@@ -2,13 +2,14 @@
 #include "core/files.h"
 #include "scene/stage.h"
 #include "scratch.h"
+#include "support/folders.h"
 
 using namespace onde;
 
 namespace {
 
 /// A tetrahedron that goes from the origin by (4, 2, 0) within a second. Scene 1 has a camera.
-const std::filesystem::path SLIDE = ONDE_SOURCE_DIR "/tests/data/motion/slide.gltf";
+const std::filesystem::path SLIDE = onde::test::in_project("tests/data/motion/slide.gltf");
 
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "scene/load.h"
 #include "scratch.h"
+#include "support/folders.h"
 
 #include <fmt/format.h>
 
@@ -290,7 +291,7 @@ TEST_CASE("shapes are placed with their radii; stretched spheres become ellipsoi
 }
 
 TEST_CASE("every scene of the project loads without a note") {
-    const auto folder = std::filesystem::path(ONDE_SOURCE_DIR) / "scenes";
+    const auto folder = std::filesystem::path(onde::test::in_project("scenes"));
     size_t count = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         if (entry.path().extension() != ".toml") continue;

@@ -1,6 +1,7 @@
 // Devices that share a picture: the bits of one device, whatever each of them took, and whichever
 // of them fails.
 #include "session/device_group.h"
+#include "support/folders.h"
 
 #include "core/error.h"
 #include "gpu/device_list.h"
@@ -61,7 +62,7 @@ class KernelCopy {
         std::string name = (fs::temp_directory_path() / "onde-kernels-XXXXXX").string();
         REQUIRE(mkdtemp(name.data()));
         path_ = name;
-        fs::copy(fs::path(ONDE_SOURCE_DIR) / "kernels", path_, fs::copy_options::recursive);
+        fs::copy(fs::path(in_project("kernels")), path_, fs::copy_options::recursive);
     }
     ~KernelCopy() { remove(); }
     const fs::path& path() const { return path_; }

@@ -2,6 +2,8 @@
 // where the folder is absent.
 #pragma once
 
+#include "support/folders.h"
+
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
@@ -14,7 +16,7 @@ namespace onde::test {
 /// The folder named by ONDE_ASSETS, or ../shared/assets beside the checkout.
 inline std::filesystem::path assets_folder() {
     if (const char* folder = std::getenv("ONDE_ASSETS")) return folder;
-    return std::filesystem::path(ONDE_SOURCE_DIR) / ".." / "shared" / "assets";
+    return std::filesystem::path(in_project("../shared")) / "assets";
 }
 
 /// The asset's path, or nothing (with a warning in the test's output) where it is absent.

@@ -136,6 +136,7 @@
     OFFSET(MaterialRecord, group)                                                                  \
     OFFSET(MaterialRecord, albedos)                                                                \
     OFFSET(MaterialRecord, other)                                                                  \
+    OFFSET(MaterialRecord, beckmann)                                                               \
     OFFSET(MaterialRecord, blocks)                                                                 \
     OFFSET(MaterialRecord, medium)                                                                 \
     OFFSET(MaterialRecord, absorption)                                                             \

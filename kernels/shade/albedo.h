@@ -89,8 +89,8 @@ INLINE GrainAxis grain_axis(real place, uint count, uint step) {
 }
 
 // Microfacets with a grain along x. roughness: across it; alpha: along and across.
-INLINE Albedo grain_albedo(__global const uint* albedos, real3 wo, real roughness, real strength,
-                           real2 alpha) {
+INLINE Albedo grain_albedo(__global const uint* albedos, natural table, real3 wo, real roughness,
+                           real strength, real2 alpha) {
     const real flat2 = fma(wo.x, wo.x, wo.y * wo.y);
     const real flat = 1.0f / sqrt(max_real(flat2, (real)(1e-12f)));
     const real along = min_real(fabs(wo.x) * flat, (real)(1.0f));
@@ -103,7 +103,7 @@ INLINE Albedo grain_albedo(__global const uint* albedos, real3 wo, real roughnes
     axes[3] = grain_axis(min_real(ALBEDO_PLACE(cosine, seen), (real)(1.0f)), GRAIN_COLUMNS, 1u);
     real2 sum = make2((real)(0.0f), (real)(0.0f));
     for (uint corner = 0; corner < 16u; corner++) {
-        natural word = (natural)(GRAIN_TABLE);
+        natural word = table;
         real weight = (real)(1.0f / 65535.0f);
         for (uint k = 0; k < 4u; k++) {
             const bool next = corner >> k & 1u;

@@ -149,6 +149,10 @@ INLINE MaterialPoint material_point(SceneView view, Surface s, real3 wo) {
     m.metallic *= packed.z;
 #endif
     m.alpha = roughness * roughness;
+    m.beckmann = (mask)(0);
+#if ONDE_BECKMANN
+    m.beckmann = RECORD_NATURAL(view.materials, s.material, MaterialRecord, beckmann) != 0u;
+#endif
 #if ONDE_ANISOTROPY
     m.roughness = roughness;
     m.anisotropy = MATERIAL_NUMBER(view, s, anisotropy) * MATERIAL_DATA(view, s, ANISOTROPY).z;

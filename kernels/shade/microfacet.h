@@ -55,11 +55,6 @@ OVERLOAD real3 sample_visible_normal(real3 wo, real alpha, real2 u) {
     const real3 n = sample_stretched_normal(v, u);
     return normalize3(make3(alpha * n.x, alpha * n.y, max_real(n.z, (real)(1e-6f))));
 }
-// Per solid angle of the normal.
-INLINE real pdf_visible_normal(real3 wo, real3 h, real alpha) {
-    const real facing = max_real(dot3(wo, h), (real)(0.0f));
-    return ggx_masking(wo, alpha) * ggx_distribution(h, alpha) * facing / wo.z;
-}
 
 // The same where there is a grain: two alphas, along it (x) and across (Heitz 2014, eqs. 85, 86).
 // Where they are one, they have the bits of the above.

@@ -1,8 +1,8 @@
-// Tables of directional albedos: how much of white light from one direction a rough boundary of
-// GGX microfacets scatters at once, the rest of it being lost among them. A table has a row by
-// roughness, and in it a word by the cosine of the direction; behind the rows follows a word by
-// roughness, of means over the hemisphere, weighted by the cosine. Words are two numbers of 16
-// bits, the first one in the lower half.
+// Tables of directional albedos: how much of white light from one direction a rough boundary's
+// microfacets, GGX's where nothing else is said, scatter at once, the rest of it being lost among
+// them. A table has a row by roughness, and in it a word by the cosine of the direction; behind the
+// rows follows a word by roughness, of means over the hemisphere, weighted by the cosine. Words are
+// two numbers of 16 bits, the first one in the lower half.
 #ifndef ONDE_SHARED_ALBEDO_H
 #define ONDE_SHARED_ALBEDO_H
 
@@ -22,7 +22,9 @@
 #define GRAIN_COLUMNS 8u
 #define GRAIN_TABLE (2u * ALBEDO_TABLE) // its first word
 #define GRAIN_WORDS (GRAIN_ROWS * GRAIN_ROWS * GRAIN_COLUMNS * GRAIN_COLUMNS)
-#define GLASS_TABLES (GRAIN_TABLE + GRAIN_WORDS)
+#define BECKMANN_TABLE (GRAIN_TABLE + GRAIN_WORDS) // of reflection, by Beckmann's microfacets
+#define BECKMANN_GRAIN_TABLE (BECKMANN_TABLE + ALBEDO_TABLE)
+#define GLASS_TABLES (BECKMANN_GRAIN_TABLE + GRAIN_WORDS)
 
 // Albedos of small alpha change where cosines are as small: where a direction lies in its row,
 // from 0 to 1.
@@ -33,6 +35,7 @@
 // weight, less that weight of the direction itself, from -1 to 1.
 // Sheen, the second table: of white fibres; nothing.
 // Reflection with a grain, the third: as the first.
-// Glass: from outside; from inside.
+// Beckmann's, the fourth and fifth, without grain and with one: as the first.
+// Glass, of either distribution: from outside; from inside.
 
 #endif

@@ -99,6 +99,7 @@ typedef struct {
     uint group;          // of lights, that its emission belongs to
     uint albedos;        // of rough glass: the first word of its table of directional albedos
     uint other;          // the material that it is blended with, or NO_INDEX
+    uint beckmann;       // whether its microfacets are distributed as Beckmann's
     uint blocks;         // whether it, smooth glass, blocks light that only straight ways reach
     uint medium;         // inside of it: index of a MediumRecord, or NO_INDEX where nothing is
     float absorption[3]; // inside of it: halvings per unit of length

@@ -29,6 +29,7 @@ inline Material mixed_material(Generator& generator) {
     m.anisotropy = some();
     m.anisotropy_rotation = 6 * unit(generator);
     m.dispersion = 9 * some();
+    m.distribution = generator() % 4 == 0 ? Distribution::beckmann : Distribution::ggx;
     return m;
 }
 

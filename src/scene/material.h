@@ -84,6 +84,17 @@ constexpr auto enum_words(AlphaMode) {
                       EnumWord{AlphaMode::blend, "blend"}};
 }
 
+/// Of the normals of microfacets.
+enum class Distribution : uint32_t {
+    ggx,
+    beckmann, ///< few are steep: highlights without tails
+};
+
+constexpr auto enum_words(Distribution) {
+    return std::array{EnumWord{Distribution::ggx, "ggx"},
+                      EnumWord{Distribution::beckmann, "beckmann"}};
+}
+
 /// What smooth glass does to light that no sampling finds behind it: that of points, spots and
 /// directions.
 enum class GlassShadows : uint32_t {
@@ -98,13 +109,14 @@ constexpr auto enum_words(GlassShadows) {
 
 /// Surface appearance. Textures multiply the factor beside them, as in glTF:
 /// base_color (rgb), roughness (g) and metallic (b) of one texture, emission (rgb).
-/// GGX alpha is roughness^2; an alpha below 1e-3 is perfectly smooth (a delta distribution).
+/// Alpha is roughness^2; an alpha below 1e-3 is perfectly smooth (a delta distribution).
 struct Material {
     std::string name;
     MaterialKind kind = MaterialKind::diffuse;
     glm::vec3 base_color{0.8f};
     float roughness = 1.0f;
-    float metallic = 0.0f;     ///< metallic_roughness only
+    Distribution distribution = Distribution::ggx; ///< of all but the coat of varnish
+    float metallic = 0.0f;                         ///< metallic_roughness only
     glm::vec3 edge_tint{1.0f}; ///< of what metal reflects at 82 degrees, over Schlick's formula
     float ior = 1.5f; ///< interior over exterior index; of dielectric, and of the dielectric half
                       ///< of metallic_roughness
@@ -171,8 +183,10 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("kind", &M::kind, "how the surface scatters light"),
         field("base_color", &M::base_color, "albedo, reflectance at normal incidence, or tint",
               {.range = UNIT, .form = Form::color, .alias = "color"}),
-        field("roughness", &M::roughness, "0 is a mirror; GGX alpha is its square",
+        field("roughness", &M::roughness, "0 is a mirror; the distribution's alpha is its square",
               {.range = UNIT, .absent = "`1`; `0` for conductor and dielectric"}),
+        field("distribution", &M::distribution,
+              "of the normals of microfacets; Beckmann's highlights have no tails"),
         field("metallic", &M::metallic, "of `metallic-roughness` only", {.range = UNIT}),
         field("edge_tint", &M::edge_tint,
               "of what metal reflects at 82 degrees, over Schlick's formula",

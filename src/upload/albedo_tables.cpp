@@ -96,15 +96,17 @@ AlbedoNumbers reflection_numbers(const ReflectionAlbedo& a, double cosine) {
     return {a.white + LARGEST_ERROR, 0.5 * (share + 1)};
 }
 
+template <Distribution distribution>
 void fill_reflection(std::span<uint32_t> table) {
     fill_table(table, [](double cosine, double alpha) {
-        return reflection_numbers(reflection_albedo(cosine, alpha), cosine);
+        return reflection_numbers(reflection_albedo(cosine, alpha, distribution), cosine);
     });
 }
 
 /// The same of the coarse steps of the table with a grain, as a share.
 constexpr double LARGEST_GRAIN_ERROR = 0.01;
 
+template <auto albedo>
 void fill_grain(std::span<uint32_t> table) {
     constexpr uint32_t ROW = GRAIN_COLUMNS, BLOCK = GRAIN_COLUMNS * ROW;
     tbb::parallel_for(0u, GRAIN_ROWS * GRAIN_ROWS, [&](uint32_t block) {
@@ -119,7 +121,7 @@ void fill_grain(std::span<uint32_t> table) {
                 std::hypot(along * azimuth, across * std::sqrt(1 - azimuth * azimuth));
             for (uint32_t column = 0; column < GRAIN_COLUMNS; column++) {
                 const double cosine = cosine_at(column, GRAIN_COLUMNS, seen);
-                ReflectionAlbedo a = grain_albedo(cosine, azimuth, along, across);
+                ReflectionAlbedo a = albedo(cosine, azimuth, along, across);
                 const double kept = std::min(a.white * (1 + LARGEST_GRAIN_ERROR), 1.0);
                 a.grazing = a.grazing * kept / a.white + LARGEST_GRAIN_ERROR;
                 a.white = kept;
@@ -143,10 +145,10 @@ void fill_sheen(std::span<uint32_t> table) {
 /// reflection is off by some thousandths of it, and no glass should gain light.
 constexpr double GIVEN_BACK = 0.995;
 
-void fill_glass(std::span<uint32_t> table, double ior) {
+void fill_glass(std::span<uint32_t> table, double ior, Distribution distribution) {
     const auto kept = [](double albedo) { return 1 - GIVEN_BACK * (1 - albedo); };
     fill_table(table, [&](double cosine, double alpha) {
-        const GlassAlbedo a = glass_albedo(cosine, alpha, ior);
+        const GlassAlbedo a = glass_albedo(cosine, alpha, ior, distribution);
         return AlbedoNumbers{kept(a.outside), kept(a.inside)};
     });
 }
@@ -159,32 +161,47 @@ static std::vector<uint32_t> filled(size_t count, void (*fill)(std::span<uint32_
     return words;
 }
 
-uint32_t AlbedoTables::glass(float ior) {
+uint32_t AlbedoTables::glass(float ior, Distribution distribution) {
     used_ = true;
-    const auto farther = [&](float a, float b) { return std::abs(a - ior) < std::abs(b - ior); };
-    auto nearest = std::ranges::min_element(iors_, farther);
-    if (nearest == iors_.end() || (*nearest != ior && iors_.size() < MOST_GLASS_TABLES)) {
-        iors_.push_back(ior);
-        nearest = iors_.end() - 1;
+    const auto off = [&](const Glass& g) {
+        return std::pair(g.distribution != distribution, std::abs(g.ior - ior));
+    };
+    auto nearest = std::ranges::min_element(glasses_, {}, off);
+    const bool found = nearest != glasses_.end() && off(*nearest) == std::pair(false, 0.0f);
+    if (!found && glasses_.size() < MOST_GLASS_TABLES) {
+        glasses_.push_back({ior, distribution});
+        nearest = glasses_.end() - 1;
     }
-    return GLASS_TABLES + uint32_t(nearest - iors_.begin()) * ALBEDO_TABLE;
+    return GLASS_TABLES + uint32_t(nearest - glasses_.begin()) * ALBEDO_TABLE;
 }
 
 std::vector<uint32_t> AlbedoTables::words() && {
-    std::vector<uint32_t> all(GLASS_TABLES + iors_.size() * ALBEDO_TABLE, NOTHING_LOST);
+    std::vector<uint32_t> all(GLASS_TABLES + glasses_.size() * ALBEDO_TABLE, NOTHING_LOST);
     if (!used_) return all;
-    static const std::vector<uint32_t> reflection = filled(ALBEDO_TABLE, fill_reflection);
+    static const std::vector<uint32_t> reflection =
+        filled(ALBEDO_TABLE, fill_reflection<Distribution::ggx>);
     std::ranges::copy(reflection, all.begin());
     if (sheen_) {
         static const std::vector<uint32_t> sheen = filled(ALBEDO_TABLE, fill_sheen);
         std::ranges::copy(sheen, all.begin() + SHEEN_TABLE);
     }
     if (grain_) {
-        static const std::vector<uint32_t> grain = filled(GRAIN_WORDS, fill_grain);
+        static const std::vector<uint32_t> grain = filled(GRAIN_WORDS, fill_grain<grain_albedo>);
         std::ranges::copy(grain, all.begin() + GRAIN_TABLE);
     }
-    for (size_t i = 0; i < iors_.size(); i++)
-        fill_glass(std::span(all).subspan(GLASS_TABLES + i * ALBEDO_TABLE, ALBEDO_TABLE), iors_[i]);
+    if (beckmann_) {
+        static const std::vector<uint32_t> beckmann =
+            filled(ALBEDO_TABLE, fill_reflection<Distribution::beckmann>);
+        std::ranges::copy(beckmann, all.begin() + BECKMANN_TABLE);
+    }
+    if (beckmann_ && grain_) {
+        static const std::vector<uint32_t> both =
+            filled(GRAIN_WORDS, fill_grain<beckmann_grain_albedo>);
+        std::ranges::copy(both, all.begin() + BECKMANN_GRAIN_TABLE);
+    }
+    for (size_t i = 0; i < glasses_.size(); i++)
+        fill_glass(std::span(all).subspan(GLASS_TABLES + i * ALBEDO_TABLE, ALBEDO_TABLE),
+                   glasses_[i].ior, glasses_[i].distribution);
     return all;
 }
 

@@ -2,6 +2,7 @@
 // what lies where.
 #pragma once
 
+#include "scene/material.h"
 #include "shared/albedo.h"
 
 #include <cstdint>
@@ -14,11 +15,11 @@ namespace onde {
 class AlbedoTables {
   public:
     /// The first word of the table of glass of an index of refraction, outside over inside. Where
-    /// there are very many indices, that of the nearest.
-    uint32_t glass(float ior);
-    /// The tables of reflection, of sheen, of reflection with a grain, then those of glass. Those
-    /// that nothing asks for say that nothing is lost, for kernels that can do more than the scene
-    /// asks.
+    /// there are very many tables, that of the nearest index.
+    uint32_t glass(float ior, Distribution distribution = Distribution::ggx);
+    /// The tables of reflection, of sheen, of reflection with a grain and by Beckmann's
+    /// microfacets, then those of glass. Those that nothing asks for say that nothing is lost, for
+    /// kernels that can do more than the scene asks.
     std::vector<uint32_t> words() &&;
     /// Asks for the table of reflection.
     void reflection() { used_ = true; }
@@ -26,10 +27,17 @@ class AlbedoTables {
     void sheen() { used_ = sheen_ = true; }
     /// Asks for that with a grain too.
     void grain() { used_ = grain_ = true; }
+    /// Asks for that of Beckmann's microfacets too.
+    void beckmann() { used_ = beckmann_ = true; }
 
   private:
-    bool used_ = false, sheen_ = false, grain_ = false;
-    std::vector<float> iors_;
+    struct Glass {
+        float ior;
+        Distribution distribution;
+    };
+
+    bool used_ = false, sheen_ = false, grain_ = false, beckmann_ = false;
+    std::vector<Glass> glasses_;
 };
 
 /// The same interpolation as the kernels': the two numbers of a direction, each in [0, 1], from the

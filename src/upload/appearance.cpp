@@ -123,6 +123,8 @@ MaterialFeatures features_of(const Material& m) {
     features.rough = (may_be_rough && (lobes & MIRRORING_LOBES)) || features.anisotropy ||
                      (lobes & bit(LOBE_COAT) && is_rough_alpha(m.clearcoat_roughness));
     features.rough_glass = may_be_rough && solid;
+    features.beckmann =
+        m.distribution == Distribution::beckmann && may_be_rough && (lobes & MIRRORING_LOBES);
     features.albedos =
         mixed || thin || features.anisotropy || (may_be_rough && lobes & bit(LOBE_GLOSSY));
     features.index = mixed && m.ior != 1.5f;
@@ -170,7 +172,9 @@ PackedMaterials pack_materials(const Scene& scene) {
         if (features.anisotropy) albedos.grain();
         if (record.lobes & bit(LOBE_SHEEN)) albedos.sheen();
         if (features.dispersion && packed.spectrum.empty()) packed.spectrum = spectrum_table();
-        if (features.rough_glass) record.albedos = albedos.glass(m.ior);
+        if (features.beckmann) albedos.beckmann();
+        if (features.rough_glass) record.albedos = albedos.glass(m.ior, m.distribution);
+        record.beckmann = features.beckmann;
         record.blocks = m.shadows == GlassShadows::opaque;
         copy(record.absorption, absorption_of(m));
         record.medium = inside[i];

@@ -17,6 +17,7 @@ struct MaterialFeatures {
     bool rough;       ///< it reflects or refracts by microfacets
     bool rough_glass; ///< and is solid glass
     bool albedos;     ///< it asks what its microfacets reflect in all
+    bool beckmann;    ///< and these are distributed as Beckmann's
     bool index;       ///< its coat's is not 1.5
     bool specular;    ///< it reflects less, or in colour
     bool iridescence;

@@ -5,7 +5,7 @@
 namespace onde {
 
 SceneFeatures with_all_materials(SceneFeatures features) {
-    features.rough = features.rough_glass = features.albedos = true;
+    features.rough = features.rough_glass = features.albedos = features.beckmann = true;
     features.indices = features.specular = features.iridescence = true;
     features.anisotropy = features.dispersion = true;
     features.edges = features.inner = features.blends = true;

@@ -35,6 +35,7 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(bool, ground, false, GROUND, either)   /* a plane takes the scene's shadow */          \
     FEATURE(bool, rough, false, ROUGH, either)     /* some surface has microfacets */              \
     FEATURE(bool, rough_glass, false, ROUGH_GLASS, either) /* some solid glass does */             \
+    FEATURE(bool, beckmann, false, BECKMANN, either)       /* some microfacets are Beckmann's */   \
     FEATURE(bool, albedos, false, ALBEDOS, either)   /* some asks what they reflect in all */      \
     FEATURE(bool, indices, false, INDICES, either)   /* of coats other than 1.5 */                 \
     FEATURE(bool, specular, false, SPECULAR, either) /* some coat reflects less, or in colour */   \

@@ -1,9 +1,12 @@
 #include "upload/microfacet_albedo.h"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 namespace onde {
 namespace {
@@ -51,7 +54,15 @@ float lambda(float cosine, float alpha) {
     return 0.5f * (std::sqrt(1 + alpha * alpha * tangent2) - 1);
 }
 
+float beckmann_lambda(float cosine, float alpha) {
+    const float a = cosine / (alpha * std::sqrt(std::max(1 - cosine * cosine, 1e-12f)));
+    const float root = std::sqrt(std::numbers::pi_v<float>);
+    return std::max(0.5f * (std::exp(-a * a) / (a * root) - std::erfc(a)), 0.0f);
+}
+
 /// Masking and shadowing over the masking of the view alone; nothing leaves at or below 0.
+using Lambda = float (*)(float, float);
+template <Lambda lambda>
 float shadowing(float seen, float leaving, float alpha) {
     const float part = (1 + seen) / (1 + seen + lambda(std::max(leaving, 1e-6f), alpha));
     return leaving > 0 ? part : 0;
@@ -103,6 +114,29 @@ Pair mean_of_microfacets(float cosine, float alpha, const Part& part) {
     return sum;
 }
 
+/// The same of Beckmann's microfacets, whose slopes are Gaussian: evenly over the distribution's
+/// radii, weighted by how much is seen.
+template <class Part>
+Pair mean_of_beckmann(float cosine, float alpha, const Part& part) {
+    constexpr int RINGS = 64, SECTORS = 32;
+    const double sine = std::sqrt(1 - double(cosine) * double(cosine));
+    Pair sum{0, 0};
+    double weights = 0;
+    for (int i = 0; i < RINGS; i++)
+        for (int j = 0; j < SECTORS; j++) {
+            const double radius = double(alpha) * std::sqrt(-std::log((i + 0.5) / RINGS));
+            const double slope = radius * std::cos((j + 0.5) / SECTORS * std::numbers::pi);
+            const double weight = double(cosine) + slope * sine;
+            if (weight <= 0) continue;
+            const double up = 1 / std::sqrt(1 + radius * radius);
+            const auto both = part(Microfacet{float(weight * up), float(up)});
+            sum.first += weight * double(both[0]);
+            sum.second += weight * double(both[1]);
+            weights += weight;
+        }
+    return {sum.first / weights, sum.second / weights};
+}
+
 /// Smith's Lambda by the length of a direction's part along the surface, stretched by alphas.
 float stretched_lambda(float cosine, float flat) {
     const float slope = flat / cosine;
@@ -110,25 +144,34 @@ float stretched_lambda(float cosine, float flat) {
 }
 
 /// What a boundary scatters of the light that meets a microfacet.
+template <Lambda lambda>
 float scattered(Microfacet m, float cosine, float alpha, float seen, float eta) {
     const float out = std::max(m.out, 0.0f), sine2 = (1 - out * out) / (eta * eta);
     const float in = std::sqrt(std::max(1 - sine2, 0.0f));
     const float p = (eta * out - in) / (eta * out + in), s = (out - eta * in) / (out + eta * in);
     const float fresnel = sine2 >= 1 ? 1.0f : 0.5f * (p * p + s * s);
     const float refracted = cosine / eta - (out / eta - in) * m.up;
-    return fresnel * shadowing(seen, 2 * out * m.up - cosine, alpha) +
-           (1 - fresnel) * shadowing(seen, refracted, alpha);
+    return fresnel * shadowing<lambda>(seen, 2 * out * m.up - cosine, alpha) +
+           (1 - fresnel) * shadowing<lambda>(seen, refracted, alpha);
 }
 
 } // namespace
 
-ReflectionAlbedo reflection_albedo(double cosine, double alpha) {
+ReflectionAlbedo reflection_albedo(double cosine, double alpha, Distribution distribution) {
     const auto c = float(cosine), a = float(alpha);
-    const float seen = lambda(c, a);
-    const Pair mean = mean_of_microfacets<DiskPoints<64, 16>>(c, a, [&](Microfacet m) {
-        const float reflected = shadowing(seen, 2 * m.out * m.up - c, a);
+    const auto part = [&]<Lambda lambda>(float seen, Microfacet m) {
+        const float reflected = shadowing<lambda>(seen, 2 * m.out * m.up - c, a);
         return std::array{reflected, reflected * schlick_weight(m.out)};
-    });
+    };
+    const Pair mean =
+        distribution == Distribution::beckmann
+            ? mean_of_beckmann(c, a,
+                               [&, seen = beckmann_lambda(c, a)](Microfacet m) {
+                                   return part.operator()<beckmann_lambda>(seen, m);
+                               })
+            : mean_of_microfacets<DiskPoints<64, 16>>(c, a, [&, seen = lambda(c, a)](Microfacet m) {
+                  return part.operator()<lambda>(seen, m);
+              });
     return {mean.first, mean.second};
 }
 
@@ -173,6 +216,38 @@ ReflectionAlbedo grain_albedo(double cosine, double along, double alpha_x, doubl
     return sum;
 }
 
+ReflectionAlbedo beckmann_grain_albedo(double cosine, double along, double alpha_x,
+                                       double alpha_y) {
+    constexpr int RINGS = 24, SECTORS = 48;
+    const double sine = std::sqrt(1 - cosine * cosine), across = std::sqrt(1 - along * along);
+    const glm::dvec3 out(sine * along, sine * across, cosine);
+    const auto smith = [&](glm::dvec3 w) {
+        const double a = w.z / std::max(std::hypot(alpha_x * w.x, alpha_y * w.y), 1e-9);
+        return std::max(
+            std::exp(-a * a) / (2 * a * std::sqrt(std::numbers::pi)) - 0.5 * std::erfc(a), 0.0);
+    };
+    const double seen = smith(out);
+    ReflectionAlbedo sum{0, 0};
+    double weights = 0;
+    for (int i = 0; i < RINGS; i++)
+        for (int j = 0; j < SECTORS; j++) {
+            const double radius = std::sqrt(-std::log((i + 0.5) / RINGS));
+            const double turn = (j + 0.5) / SECTORS * 2 * std::numbers::pi;
+            const glm::dvec3 facet(alpha_x * radius * std::cos(turn),
+                                   alpha_y * radius * std::sin(turn), 1);
+            const double weight = glm::dot(out, facet);
+            if (weight <= 0) continue;
+            weights += weight;
+            const glm::dvec3 h = glm::normalize(facet);
+            const glm::dvec3 in = 2 * glm::dot(out, h) * h - out;
+            if (in.z <= 0) continue;
+            const double kept = weight * (1 + seen) / (1 + seen + smith(in));
+            sum.white += kept;
+            sum.grazing += kept * double(schlick_weight(float(glm::dot(out, h))));
+        }
+    return {sum.white / weights, sum.grazing / weights};
+}
+
 double sheen_albedo(double cosine, double alpha) {
     constexpr int POLAR = 64, AROUND = 32;
     const double sine = std::sqrt(1 - cosine * cosine), inverse = 1 / alpha;
@@ -190,12 +265,21 @@ double sheen_albedo(double cosine, double alpha) {
     return sum * M_PI / (POLAR * AROUND);
 }
 
-GlassAlbedo glass_albedo(double cosine, double alpha, double ior) {
+GlassAlbedo glass_albedo(double cosine, double alpha, double ior, Distribution distribution) {
     const auto c = float(cosine), a = float(alpha), outside = float(ior), inside = float(1 / ior);
-    const float seen = lambda(c, a);
-    const Pair mean = mean_of_microfacets<DiskPoints<64, 32>>(c, a, [&](Microfacet m) {
-        return std::array{scattered(m, c, a, seen, outside), scattered(m, c, a, seen, inside)};
-    });
+    const auto part = [&]<Lambda lambda>(float seen, Microfacet m) {
+        return std::array{scattered<lambda>(m, c, a, seen, outside),
+                          scattered<lambda>(m, c, a, seen, inside)};
+    };
+    const Pair mean =
+        distribution == Distribution::beckmann
+            ? mean_of_beckmann(c, a,
+                               [&, seen = beckmann_lambda(c, a)](Microfacet m) {
+                                   return part.operator()<beckmann_lambda>(seen, m);
+                               })
+            : mean_of_microfacets<DiskPoints<64, 32>>(c, a, [&, seen = lambda(c, a)](Microfacet m) {
+                  return part.operator()<lambda>(seen, m);
+              });
     return {mean.first, mean.second};
 }
 

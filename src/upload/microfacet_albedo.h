@@ -1,7 +1,9 @@
-// Directional albedos of GGX microfacets, by quadrature: how much of the light from one direction
-// they scatter when each ray meets one of them. cosine, of the direction and the surface's normal,
-// and alpha lie in (0, 1].
+// Directional albedos of microfacets, GGX's where nothing else is said, by quadrature: how much of
+// the light from one direction they scatter when each ray meets one of them. cosine, of the
+// direction and the surface's normal, and alpha lie in (0, 1].
 #pragma once
+
+#include "scene/material.h"
 
 namespace onde {
 
@@ -10,11 +12,13 @@ namespace onde {
 struct ReflectionAlbedo {
     double white, grazing;
 };
-ReflectionAlbedo reflection_albedo(double cosine, double alpha);
+ReflectionAlbedo reflection_albedo(double cosine, double alpha,
+                                   Distribution distribution = Distribution::ggx);
 
 /// The same of microfacets with a grain: alpha_x along it, alpha_y across; `along` is the cosine of
 /// the direction's azimuth from the grain. Absolute errors below 0.003.
 ReflectionAlbedo grain_albedo(double cosine, double along, double alpha_x, double alpha_y);
+ReflectionAlbedo beckmann_grain_albedo(double cosine, double along, double alpha_x, double alpha_y);
 
 /// What white fibres scatter: those of kernels/shade/lobes/sheen.h.
 double sheen_albedo(double cosine, double alpha);
@@ -24,6 +28,7 @@ double sheen_albedo(double cosine, double alpha);
 struct GlassAlbedo {
     double outside, inside;
 };
-GlassAlbedo glass_albedo(double cosine, double alpha, double ior);
+GlassAlbedo glass_albedo(double cosine, double alpha, double ior,
+                         Distribution distribution = Distribution::ggx);
 
 } // namespace onde

@@ -34,6 +34,7 @@ static SceneFeatures material_features(const Scene& scene) {
         features.kinds |= 1u << uint32_t(material.kind);
         features.rough |= own.rough;
         features.rough_glass |= own.rough_glass;
+        features.beckmann |= own.beckmann;
         features.albedos |= own.albedos;
         features.indices |= own.index;
         features.specular |= own.specular;

@@ -120,6 +120,10 @@ TEST_CASE("BSDFs become the nearest materials") {
     CHECK(metal.kind == MaterialKind::conductor);
     check_near(metal.base_color, glm::vec3(0.04f));
     CHECK(metal.roughness == Approx(0.5));
+    CHECK(metal.distribution == Distribution::beckmann); // Mitsuba's default
+    CHECK(
+        material_of("<bsdf type='roughdielectric'><string name='distribution' value='ggx'/></bsdf>")
+            .distribution == Distribution::ggx);
     const Material gold =
         material_of("<bsdf type='conductor'><string name='material' value='Au'/></bsdf>");
     CHECK(gold.base_color.x > 1.5f * gold.base_color.z);

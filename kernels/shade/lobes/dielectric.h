@@ -1,16 +1,17 @@
-// Glass: reflection and refraction at a GGX-rough or smooth boundary (Walter et al. 2007).
+// Glass: reflection and refraction at a rough or smooth boundary (Walter et al. 2007).
 // Radiance is scaled by 1 / eta^2 where it is refracted. What a rough boundary loses between its
 // microfacets leaves it evenly, to both sides (Kulla and Conty, "Revisiting Physically Based
 // Shading at Imageworks", 2017).
 #ifndef ONDE_SHADE_LOBES_DIELECTRIC_H
 #define ONDE_SHADE_LOBES_DIELECTRIC_H
 
+#include "shade/facets.h"
 #include "shade/lobes/lobe.h"
-#include "shade/microfacet.h"
 
 typedef struct {
     real3 tint; // of what goes through
     real alpha;
+    mask beckmann;
     real eta; // index below over index above
 #if ONDE_TRANSMISSION
     real share; // of the surface that is clear
@@ -67,6 +68,7 @@ INLINE DielectricLobe dielectric_load(SceneView view, MaterialPoint m) {
     lobe.tint = m.color;
     const real ior = RECORD(view.materials, m.material, MaterialRecord, ior);
     lobe.alpha = choose(fabs(ior - 1.0f) < EQUAL_INDICES, (real)(0.0f), m.alpha);
+    lobe.beckmann = m.beckmann;
     real own = ior;
 #if ONDE_DISPERSION
     const real dispersion = RECORD(view.materials, m.material, MaterialRecord, dispersion);
@@ -173,14 +175,15 @@ INLINE LobeValue dielectric_eval(DielectricLobe lobe, real3 wo, real3 wi, mask l
     if (!mask_bits(rough)) return v;
     const Boundary b = boundary_between(lobe, wo, wi);
     const mask possible = rough & b.possible;
-    const real body =
-        ggx_distribution(b.h, lobe.alpha) * ggx_masking_shadowing(wo, wi, lobe.alpha) / wo.z;
+    const real d = facet_distribution(b.h, lobe.alpha, lobe.beckmann);
+    const real body = d * facet_masking_shadowing(wo, wi, lobe.alpha, lobe.beckmann) / wo.z;
     const real refracted = (1.0f - b.fresnel) * body * b.out * b.jacobian;
     v.tint = choose(b.below, lobe.tint, splat3((real)(1.0f)));
     v.value = splat3(choose(b.below, refracted / (lobe.eta * lobe.eta), b.fresnel * body * 0.25f));
     v.value = choose(possible, v.value, zero3());
 
-    const real visible = pdf_visible_normal(wo, b.h, lobe.alpha);
+    const real seen = facet_masking(wo, lobe.alpha, lobe.beckmann) * d;
+    const real visible = seen * max_real(b.out, (real)(0.0f)) / wo.z;
     const real mirrored = b.fresnel * visible / (4.0f * max_real(b.out, (real)(1e-9f)));
     const real pdf = choose(b.below, (1.0f - b.fresnel) * visible * b.jacobian, mirrored);
     v.pdf = choose(possible, pdf, v.pdf);
@@ -203,7 +206,7 @@ INLINE LobeSample dielectric_sample(DielectricLobe lobe, real3 wo, real choice, 
     const mask falls = choice < lobe.lost * lobe.below;
     choice = (choice - lobe.lost) / max_real(1.0f - lobe.lost, (real)(1e-6f));
     h = choose(s.delta, h,
-               sample_visible_normal(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), u));
+               sample_facet(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), lobe.beckmann, u));
 #endif
     const real fresnel = dielectric_fresnel(lobe, dot3(wo, h));
     const mask refracted = choice >= fresnel;

@@ -1,11 +1,11 @@
-// Reflection by GGX microfacets: conductors, the specular part of glTF's mix (glTF 2.0, appendix
+// Reflection by microfacets: conductors, the specular part of glTF's mix (glTF 2.0, appendix
 // B). A mirror where it is smooth. What has met several microfacets leaves as what has met one, so
 // that all energy is kept, though not reciprocity.
 #ifndef ONDE_SHADE_LOBES_GLOSSY_H
 #define ONDE_SHADE_LOBES_GLOSSY_H
 
+#include "shade/facets.h"
 #include "shade/lobes/lobe.h"
-#include "shade/microfacet.h"
 
 #if ONDE_ANISOTROPY
 typedef real2 GlossyAlpha;
@@ -28,6 +28,7 @@ typedef struct {
     real3 f0;  // reflectance at normal incidence, times the compensation
     real3 f90; // and at grazing
     GlossyAlpha alpha;
+    mask beckmann;
 #if ONDE_EDGES
     real3 dip; // of metal's, towards the edge
 #endif
@@ -59,6 +60,7 @@ INLINE GlossyLobe glossy_load(SceneView view, MaterialPoint m) {
     GlossyLobe lobe;
     lobe.f0 = fma3(m.color, metal, mul3(m.f0, coat));
     lobe.f90 = madd3(coat, m.f90, metal);
+    lobe.beckmann = m.beckmann;
 #if ONDE_EDGES
     lobe.dip = mul3(metal, edge_dip(view, m));
 #endif
@@ -108,9 +110,9 @@ INLINE LobeValue glossy_eval(GlossyLobe lobe, real3 wo, real3 wi, mask lanes) {
     if (!ONDE_ROUGH) return v;
     if_any (seen) {
         const real3 h = half_vector(wo, wi);
-        const real d = ggx_distribution(h, lobe.alpha);
-        const real g = ggx_masking_shadowing(wo, wi, lobe.alpha);
-        const real visible = ggx_masking(wo, lobe.alpha) * d;
+        const real d = facet_distribution(h, lobe.alpha, lobe.beckmann);
+        const real g = facet_masking_shadowing(wo, wi, lobe.alpha, lobe.beckmann);
+        const real visible = facet_masking(wo, lobe.alpha, lobe.beckmann) * d;
         v.tint = choose(seen, glossy_fresnel(lobe, dot3(wo, h)), v.tint);
         v.value = choose(seen, splat3(d * g / (4.0f * wo.z)), v.value);
         v.pdf = choose(seen, visible / (4.0f * wo.z), v.pdf);
@@ -118,7 +120,7 @@ INLINE LobeValue glossy_eval(GlossyLobe lobe, real3 wo, real3 wi, mask lanes) {
     return v;
 }
 INLINE LobeSample glossy_sample(GlossyLobe lobe, real3 wo, real choice, real2 u) {
-    const real3 h = sample_visible_normal(wo, rough_alpha(lobe.alpha), u);
+    const real3 h = sample_facet(wo, rough_alpha(lobe.alpha), lobe.beckmann, u);
     LobeSample s;
     s.delta = glossy_is_smooth(lobe);
     s.wi = choose(s.delta, make3(-wo.x, -wo.y, wo.z), reflect_about(wo, h));

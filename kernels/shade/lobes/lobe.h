@@ -21,7 +21,8 @@ typedef struct {
     natural kind;     // MATERIAL_...
     UvSets uv;
     real3 color;
-    real alpha; // roughness^2
+    real alpha;    // roughness^2
+    mask beckmann; // whether its microfacets are distributed as Beckmann's
 #if ONDE_ANISOTROPY
     real roughness, anisotropy;
     real2 grain; // alphas along the grain and across
@@ -61,6 +62,15 @@ INLINE mask is_glossy(MaterialPoint m) {
     return is_of_kind(m, MATERIAL_METALLIC_ROUGHNESS) | is_of_kind(m, MATERIAL_CONDUCTOR);
 }
 
+// The first word of the table of what its microfacets reflect.
+INLINE natural reflection_table(MaterialPoint m) {
+#if ONDE_BECKMANN
+    return choose(m.beckmann, (natural)(BECKMANN_TABLE), (natural)(0u));
+#else
+    return (natural)(0u);
+#endif
+}
+
 // What microfacets reflect of light along a local direction; a mirror's in other lanes.
 INLINE Albedo microfacet_albedo(SceneView view, MaterialPoint m, real3 w, mask lanes) {
     const real cosine = fabs(w.z);
@@ -68,7 +78,7 @@ INLINE Albedo microfacet_albedo(SceneView view, MaterialPoint m, real3 w, mask l
     const mask rough = lanes & (m.alpha >= SMOOTH_ALPHA);
     if (!ONDE_ALBEDOS) return a;
     if_any (rough) {
-        const AlbedoRow row = albedo_row((natural)(0u), m.alpha);
+        const AlbedoRow row = albedo_row(reflection_table(m), m.alpha);
         const Albedo found = reflection_albedo(view.albedos, row, cosine);
         a.white = choose(rough, found.white, a.white);
         a.grazing = choose(rough, found.grazing, a.grazing);
@@ -76,8 +86,12 @@ INLINE Albedo microfacet_albedo(SceneView view, MaterialPoint m, real3 w, mask l
 #if ONDE_ANISOTROPY
     const mask grained = is_glossy(m) & (m.anisotropy > 0.0f);
     if_any (grained) {
-        const Albedo found =
-            grain_albedo(view.albedos, make3(w.x, w.y, cosine), m.roughness, m.anisotropy, m.grain);
+        natural table = (natural)(GRAIN_TABLE);
+    #if ONDE_BECKMANN
+        table = choose(m.beckmann, (natural)(BECKMANN_GRAIN_TABLE), table);
+    #endif
+        const Albedo found = grain_albedo(view.albedos, table, make3(w.x, w.y, cosine), m.roughness,
+                                          m.anisotropy, m.grain);
         a.white = choose(grained, found.white, a.white);
         a.grazing = choose(grained, found.grazing, a.grazing);
     }

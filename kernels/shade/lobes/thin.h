@@ -10,6 +10,7 @@ typedef struct {
     real3 tint; // of what goes through
     real share; // of the surface that is clear
     real alpha;
+    mask beckmann;
     real ior;
 #if ONDE_SPECULAR
     real specular; // of the reflection of a face
@@ -43,12 +44,13 @@ INLINE ThinLobe thin_load(SceneView view, MaterialPoint m) {
 #if ONDE_SPECULAR
     lobe.specular = m.f90;
 #endif
+    lobe.beckmann = m.beckmann;
     lobe.slab = is_of_kind(m, MATERIAL_DIELECTRIC);
     const real ior = RECORD(view.materials, m.material, MaterialRecord, ior);
     lobe.ior = max_real(ior, 1.0f / ior);
     lobe.alpha = choose(lobe.ior < 1.0f + EQUAL_INDICES, (real)(0.0f), m.alpha);
 #if ONDE_ALBEDOS
-    lobe.row = albedo_row((natural)(0u), m.alpha);
+    lobe.row = albedo_row(reflection_table(m), m.alpha);
     lobe.albedos = view.albedos;
     real white = m.albedo.white;
     if (ONDE_ANISOTROPY) // has no grain
@@ -75,16 +77,16 @@ INLINE LobeValue thin_eval(ThinLobe lobe, real3 wo, real3 wi, mask lanes) {
     const real cosine = fabs(wi.z);
     const real3 mirrored = make3(wi.x, wi.y, cosine);
     const real3 h = half_vector(wo, mirrored);
-    const real d = ggx_distribution(h, lobe.alpha);
+    const real d = facet_distribution(h, lobe.alpha, lobe.beckmann);
     const real reflectance = thin_fresnel(lobe, dot3(wo, h));
     const real part = choose(behind, 1.0f - reflectance, reflectance) / (4.0f * wo.z);
-    const real single = part * d * ggx_masking_shadowing(wo, mirrored, lobe.alpha);
+    const real single = part * d * facet_masking_shadowing(wo, mirrored, lobe.alpha, lobe.beckmann);
     const real lost = 1.0f - reflection_albedo(lobe.albedos, lobe.row, cosine).white;
     const real even = choose(behind, lobe.behind, 1.0f - lobe.behind) * cosine * INV_PI;
     const real value = fma(even * lobe.lost, lost / lobe.mean_lost, single);
     v.value = choose(rough, splat3(value * lobe.share), zero3());
     v.tint = choose(behind, lobe.tint, splat3((real)(1.0f)));
-    const real visible = part * d * ggx_masking(wo, lobe.alpha);
+    const real visible = part * d * facet_masking(wo, lobe.alpha, lobe.beckmann);
     v.pdf = choose(rough, fma(lobe.lost, even - visible, visible), (real)(0.0f));
 #endif
     return v;
@@ -99,7 +101,7 @@ INLINE LobeSample thin_sample(ThinLobe lobe, real3 wo, real choice, real2 u) {
     const mask even = choice < lobe.lost;
     const mask falls = choice < lobe.lost * lobe.behind;
     choice = (choice - lobe.lost) / max_real(1.0f - lobe.lost, (real)(1e-6f));
-    const real3 h = sample_visible_normal(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), u);
+    const real3 h = sample_facet(wo, max_real(lobe.alpha, (real)(SMOOTH_ALPHA)), lobe.beckmann, u);
     mirrored = choose(s.delta, mirrored, reflect_about(wo, h));
     cosine = choose(s.delta, cosine, dot3(wo, h));
 #endif

@@ -101,10 +101,10 @@ double Materials::number(const Element& of, std::string_view name, double absent
     return textured->factor.x * mean_color(scene_, textured->texture).x;
 }
 
-/// GGX's alphas along u and v.
-glm::dvec2 Materials::alphas(const Element& bsdf) {
-    if (Values(document_, bsdf).text("distribution", "beckmann") != "ggx")
-        document_.notes().add("Beckmann's distribution is taken as GGX's", bsdf.where);
+/// The alphas along u and v, of microfacets whose distribution goes to m.
+glm::dvec2 Materials::alphas(const Element& bsdf, Material& m) {
+    const bool ggx = Values(document_, bsdf).text("distribution", "beckmann") == "ggx";
+    m.distribution = ggx ? Distribution::ggx : Distribution::beckmann;
     const double alpha = number(bsdf, "alpha", 0.1);
     return glm::clamp(glm::dvec2(number(bsdf, "alpha_u", alpha), number(bsdf, "alpha_v", alpha)),
                       0.0, 1.0);
@@ -112,7 +112,7 @@ glm::dvec2 Materials::alphas(const Element& bsdf) {
 
 /// Of what has no grain in Onde.
 void Materials::set_even_roughness(const Element& bsdf, Material& m) {
-    const glm::dvec2 alpha = alphas(bsdf);
+    const glm::dvec2 alpha = alphas(bsdf, m);
     if (alpha.x != alpha.y)
         document_.notes().add("Glass and coats are as rough along all directions of a surface",
                               m.name);
@@ -158,7 +158,7 @@ void Materials::conductor(const Element& bsdf, Material& m, int) {
 
 void Materials::rough_conductor(const Element& bsdf, Material& m, int) {
     set_conductor(bsdf, m);
-    const glm::dvec2 alpha = alphas(bsdf);
+    const glm::dvec2 alpha = alphas(bsdf, m);
     set_alphas(m, alpha.x, alpha.y);
 }
 

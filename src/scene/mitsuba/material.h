@@ -34,7 +34,7 @@ class Materials {
     void inner(const Element& bsdf, Material& m, int depth);
     void set_color(const Element& bsdf, std::string_view name, Material& m, double absent = 0.5);
     double number(const Element& of, std::string_view name, double absent);
-    glm::dvec2 alphas(const Element& bsdf);
+    glm::dvec2 alphas(const Element& bsdf, Material& m);
     void set_even_roughness(const Element& bsdf, Material& m);
     double index_of(const Element& bsdf);
     void set_conductor(const Element& bsdf, Material& m);

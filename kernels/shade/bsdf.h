@@ -19,11 +19,6 @@
 // Whether something may lie on top of other lobes.
 #define HAS_LAYERS (HAS_LOBE(COAT) || HAS_LOBE(SHEEN))
 
-// Whether directions are exchanged: light that goes from wo to wi.
-#ifndef ONDE_ADJOINT
-    #define ONDE_ADJOINT 0
-#endif
-
 // The probability of a lobe that a material has is no smaller.
 #define LEAST_LOBE_PROBABILITY 0.02f
 

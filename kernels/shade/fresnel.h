@@ -26,6 +26,13 @@ INLINE real fresnel_dielectric(real cosine, real eta) {
     return choose(sine2 >= 1.0f, (real)(1.0f), f);
 }
 
+// What they say of an index of refraction beyond what Schlick's formula does.
+INLINE real beyond_schlick(real cosine, real ior) {
+    const real within = clamp_real(cosine, 0.0f, 1.0f);
+    const real f0 = square((ior - 1.0f) / (ior + 1.0f));
+    return fresnel_dielectric(within, ior) - fma(1.0f - f0, schlick_weight(within), f0);
+}
+
 // The share of diffuse light that a boundary lets through; a fit by d'Eon and Irving, "A Quantized-
 // Diffusion Model for Rendering Translucent Materials", 2011. Reciprocal.
 INLINE real mean_transmission(real eta) {

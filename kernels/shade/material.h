@@ -149,6 +149,13 @@ INLINE MaterialPoint material_point(SceneView view, Surface s, real3 wo) {
     m.metallic *= packed.z;
 #endif
     m.alpha = roughness * roughness;
+#if ONDE_INNER
+    m.plastic = is_of_kind(m, MATERIAL_METALLIC_ROUGHNESS) &
+                (MATERIAL_NUMBER(view, s, inner_reflection) >= 0.0f);
+    m.exact = choose(m.plastic, max_real(fma(m.alpha, (real)(-10.0f), (real)(1.0f)), (real)(0.0f)),
+                     (real)(0.0f));
+    m.ior = MATERIAL_NUMBER(view, s, ior);
+#endif
     m.beckmann = (mask)(0);
 #if ONDE_BECKMANN
     m.beckmann = RECORD_NATURAL(view.materials, s.material, MaterialRecord, beckmann) != 0u;

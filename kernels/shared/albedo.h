@@ -32,10 +32,9 @@
 
 // What the numbers of a table are.
 // Reflection, the first table: the albedo of a white surface; and of it the share of Schlick's
-// weight, less that weight of the direction itself, from -1 to 1.
-// Sheen, the second table: of white fibres; nothing.
-// Reflection with a grain, the third: as the first.
-// Beckmann's, the fourth and fifth, without grain and with one: as the first.
-// Glass, of either distribution: from outside; from inside.
+// weight, less that weight of the direction itself, from -1 to 1. The means are of the first, and
+// of what Schlick's weight counts. Sheen, the second table: of white fibres; nothing. Reflection
+// with a grain, the third: as the first. Beckmann's, the fourth and fifth, without grain and with
+// one: as the first. Glass, of either distribution: from outside; from inside.
 
 #endif

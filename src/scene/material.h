@@ -120,10 +120,10 @@ struct Material {
     glm::vec3 edge_tint{1.0f}; ///< of what metal reflects at 82 degrees, over Schlick's formula
     float ior = 1.5f; ///< interior over exterior index; of dielectric, and of the dielectric half
                       ///< of metallic_roughness
-    float specular = 1.0f;          ///< of the reflection of that half
-    glm::vec3 specular_color{1.0f}; ///< the same at normal incidence
-    float inner_reflection =
-        0.0f;                  ///< share of light from that half's body that its coat sends back
+    float specular = 1.0f;                   ///< of the reflection of that half
+    glm::vec3 specular_color{1.0f};          ///< the same at normal incidence
+    std::optional<float> inner_reflection{}; ///< share of light from that half's body that its coat
+                                             ///< sends back; without, light enters unhindered
     float transmission = 0.0f; ///< share of that half's body that is clear; metallic_roughness only
     bool thin_walled = false;  ///< what lets light through is a sheet: light is not bent
     glm::vec3 attenuation_color{1.0f}; ///< of white light after attenuation_distance inside
@@ -197,9 +197,10 @@ constexpr auto fields_of(TypeTag<Material>) {
         field("specular_color", &M::specular_color, "the same at normal incidence",
               {.range = NOT_NEGATIVE, .form = Form::color}),
         field("inner_reflection", &M::inner_reflection,
-              "share of light from the body of `metallic-roughness` that the coat sends back to "
-              "it, which makes colours deeper",
-              {.range = {.low = 0, .high = 0.999}}),
+              "of a plastic: light passes the coat of `metallic-roughness` on its way in too, and "
+              "this "
+              "share of what the body scatters is sent back to it, which makes colours deeper",
+              {.range = {.low = 0, .high = 0.999}, .absent = "no plastic"}),
         field("transmission", &M::transmission,
               "share of `metallic-roughness` that is clear where it is not metal; `dielectric` is "
               "all",

@@ -62,10 +62,12 @@ AlbedoNumbers mix(std::span<const uint32_t> words, uint32_t i, uint32_t step, do
             std::lerp(number(i, 16), number(i + step, 16), t)};
 }
 
+constexpr auto AS_THEY_ARE = [](AlbedoNumbers n, double) { return n; };
+
 /// Fills a table by number(cosine, alpha). placed: the alpha of the places in its rows, where that
-/// is not their own.
-template <class Number>
-void fill_table(std::span<uint32_t> table, const Number& number,
+/// is not their own. counted(numbers, cosine): those of a place, of which the means are.
+template <class Number, class Counted>
+void fill_table(std::span<uint32_t> table, const Number& number, const Counted& counted,
                 std::optional<double> placed = {}) {
     tbb::parallel_for(0u, ALBEDO_ROWS, [&](uint32_t row) {
         const double alpha = alpha_of(row);
@@ -80,7 +82,8 @@ void fill_table(std::span<uint32_t> table, const Number& number,
         for (int i = 0; i < STEPS; i++) {
             const double cosine = (i + 0.5) / STEPS;
             const Between at = between(ALBEDO_PLACE(cosine, own), ALBEDO_COLUMNS);
-            const AlbedoNumbers read = mix(table, row * ALBEDO_COLUMNS + at.first, 1, at.fraction);
+            const AlbedoNumbers read =
+                counted(mix(table, row * ALBEDO_COLUMNS + at.first, 1, at.fraction), cosine);
             sum.first += 2 * cosine / STEPS * read.first;
             sum.second += 2 * cosine / STEPS * read.second;
         }
@@ -98,9 +101,14 @@ AlbedoNumbers reflection_numbers(const ReflectionAlbedo& a, double cosine) {
 
 template <Distribution distribution>
 void fill_reflection(std::span<uint32_t> table) {
-    fill_table(table, [](double cosine, double alpha) {
-        return reflection_numbers(reflection_albedo(cosine, alpha, distribution), cosine);
-    });
+    fill_table(
+        table,
+        [](double cosine, double alpha) {
+            return reflection_numbers(reflection_albedo(cosine, alpha, distribution), cosine);
+        },
+        [](AlbedoNumbers n, double cosine) {
+            return AlbedoNumbers{n.first, n.first * (schlick_weight(cosine) + 2 * n.second - 1)};
+        });
 }
 
 /// The same of the coarse steps of the table with a grain, as a share.
@@ -138,7 +146,7 @@ void fill_sheen(std::span<uint32_t> table) {
         [](double cosine, double alpha) {
             return AlbedoNumbers{sheen_albedo(cosine, alpha), 0};
         },
-        double(SHEEN_PLACE_ALPHA));
+        AS_THEY_ARE, double(SHEEN_PLACE_ALPHA));
 }
 
 /// Of what glass loses, the part that is given back: quadrature across the edge of total
@@ -147,10 +155,13 @@ constexpr double GIVEN_BACK = 0.995;
 
 void fill_glass(std::span<uint32_t> table, double ior, Distribution distribution) {
     const auto kept = [](double albedo) { return 1 - GIVEN_BACK * (1 - albedo); };
-    fill_table(table, [&](double cosine, double alpha) {
-        const GlassAlbedo a = glass_albedo(cosine, alpha, ior, distribution);
-        return AlbedoNumbers{kept(a.outside), kept(a.inside)};
-    });
+    fill_table(
+        table,
+        [&](double cosine, double alpha) {
+            const GlassAlbedo a = glass_albedo(cosine, alpha, ior, distribution);
+            return AlbedoNumbers{kept(a.outside), kept(a.inside)};
+        },
+        AS_THEY_ARE);
 }
 
 } // namespace

@@ -133,7 +133,7 @@ MaterialFeatures features_of(const Material& m) {
                   m.specular_texture != NO_TEXTURE || m.specular_color_texture != NO_TEXTURE);
     features.iridescence = mixed && m.iridescence > 0;
     features.edges = lobes & bit(LOBE_GLOSSY) && m.edge_tint != glm::vec3(1);
-    features.inner = mixed && m.inner_reflection > 0;
+    features.inner = mixed && m.inner_reflection.has_value();
     features.dispersion = solid && m.dispersion > 0;
     features.transmission = mixed && m.transmission > 0;
     features.absorption = solid && m.attenuation_distance && m.attenuation_color != glm::vec3(1);
@@ -147,6 +147,14 @@ static glm::vec3 absorption_of(const Material& m) {
     if (!features_of(m).absorption) return glm::vec3(0);
     // Black would be infinite; what is left of it after the distance is nothing to be seen.
     return -glm::log2(glm::max(m.attenuation_color, 1e-6f)) / *m.attenuation_distance;
+}
+
+static float number_of(float number) {
+    return number;
+}
+/// Those that may be absent are not negative.
+static float number_of(const std::optional<float>& number) {
+    return number.value_or(-1.0f);
 }
 
 PackedMaterials pack_materials(const Scene& scene) {
@@ -189,7 +197,7 @@ PackedMaterials pack_materials(const Scene& scene) {
 #define ONDE_COLOR(name) copy(record.name, m.name);
         MATERIAL_COLORS(ONDE_COLOR)
 #undef ONDE_COLOR
-#define ONDE_NUMBER(name) record.name = m.name;
+#define ONDE_NUMBER(name) record.name = number_of(m.name);
         MATERIAL_NUMBERS(ONDE_NUMBER)
 #undef ONDE_NUMBER
 #define ONDE_TEXTURE(NAME, name) record.texture[TEXTURE_##NAME] = texture_index(m.name##_texture);

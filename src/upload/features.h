@@ -43,7 +43,7 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(bool, anisotropy, false, ANISOTROPY, either)     /* some microfacets have a grain */   \
     FEATURE(bool, dispersion, false, DISPERSION, either)     /* some solid bends by colour */      \
     FEATURE(bool, edges, false, EDGES, either)               /* of some metal have a tint */       \
-    FEATURE(bool, inner, false, INNER, either)               /* reflection by some coat */         \
+    FEATURE(bool, inner, false, INNER, either)               /* some is plastic */                 \
     FEATURE(bool, blends, false, BLENDS, either)             /* of two materials */                \
     FEATURE(bool, transmission, false, TRANSMISSION, either) /* some coat's body is clear */       \
     FEATURE(bool, absorption, false, ABSORPTION, either)     /* in some solid */                   \

@@ -89,7 +89,7 @@ TEST_CASE("a plastic's coat sends back what meets its inside") {
     onde::Material plastic;
     onde::set_plastic(plastic, 1.5);
     CHECK(plastic.kind == onde::MaterialKind::metallic_roughness);
-    CHECK(plastic.inner_reflection == Approx(0.5963).epsilon(1e-3));
+    CHECK(plastic.inner_reflection.value_or(0.0f) == Approx(0.5963).epsilon(1e-3));
 }
 
 TEST_CASE("two alphas become a roughness and a grain") {

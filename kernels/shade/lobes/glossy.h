@@ -29,6 +29,10 @@ typedef struct {
     real3 f90; // and at grazing
     GlossyAlpha alpha;
     mask beckmann;
+#if ONDE_INNER
+    real coat; // of a plastic, as far as it reflects by Fresnel's equations
+    real ior;
+#endif
 #if ONDE_EDGES
     real3 dip; // of metal's, towards the edge
 #endif
@@ -61,6 +65,10 @@ INLINE GlossyLobe glossy_load(SceneView view, MaterialPoint m) {
     lobe.f0 = fma3(m.color, metal, mul3(m.f0, coat));
     lobe.f90 = madd3(coat, m.f90, metal);
     lobe.beckmann = m.beckmann;
+#if ONDE_INNER
+    lobe.coat = m.exact * m.f90 * opaque_share(m, metallic);
+    lobe.ior = m.ior;
+#endif
 #if ONDE_EDGES
     lobe.dip = mul3(metal, edge_dip(view, m));
 #endif
@@ -77,6 +85,12 @@ INLINE GlossyLobe glossy_load(SceneView view, MaterialPoint m) {
 }
 INLINE real3 glossy_fresnel(GlossyLobe lobe, real cosine) {
     real3 plain = fresnel_schlick(lobe.f0, lobe.f90, cosine);
+#if ONDE_INNER
+    if_any (lobe.coat > 0.0f) {
+        const real beyond = lobe.coat * beyond_schlick(cosine, lobe.ior);
+        plain = add3(plain, splat3(choose(lobe.coat > 0.0f, beyond, (real)(0.0f))));
+    }
+#endif
 #if ONDE_EDGES
     const real less = clamp_real(1.0f - cosine, 0.0f, 1.0f);
     plain = madd3(lobe.dip, -cosine * schlick_weight(cosine) * less, plain);

@@ -14,6 +14,11 @@
 #include "shade/film_interference.h"
 #include "shade/texture.h"
 
+// Whether directions are exchanged: light that goes from wo to wi.
+#ifndef ONDE_ADJOINT
+    #define ONDE_ADJOINT 0
+#endif
+
 // A material at a point: what several lobes need of it, textures and all. What one lobe needs it
 // reads itself.
 typedef struct {
@@ -23,6 +28,12 @@ typedef struct {
     real3 color;
     real alpha;    // roughness^2
     mask beckmann; // whether its microfacets are distributed as Beckmann's
+#if ONDE_INNER
+    mask plastic; // its coat is passed on the way in as well
+    real exact;   // how far a smooth plastic's coat reflects by Fresnel's equations; that of rough
+                  // ones by Schlick's formula, of which the tables of albedos are
+    real ior;
+#endif
 #if ONDE_ANISOTROPY
     real roughness, anisotropy;
     real2 grain; // alphas along the grain and across

@@ -256,19 +256,24 @@ typedef struct {
 #define FILTER_LINEAR 0u
 #define FILTER_NEAREST 1u
 
-// 64 bytes, one for each way of using a picture. Texels are RGBA8 words in one common buffer, where
-// several records may name the same ones. Samples of 16 bits lie in two such pictures, of their
-// higher and of their lower bytes; those of 8 bits have both in the same place, as 257 times a byte
-// is that byte twice.
+// How the words of a texel hold its four samples, red first. Codes of 8 bits are the bytes of one
+// word; of those of 16 bits the higher bytes are in one, the lower in the next.
+#define TEXEL_CODES 0u
+#define TEXEL_HALVES 1u // two a word, not negative
+#define TEXEL_FLOATS 2u
+
+// 64 bytes, one for each way of using a picture. The texels of all lie one after another in a
+// buffer, or in several; several records may name the same ones.
 typedef struct {
-    uint offset; // of the first texel
-    uint low;    // of the first texel's lower bytes
+    uint offset; // of the first texel's first word
+    uint words;  // of a texel
     uint width, height;
     uint wrap_u, wrap_v;
     uint filter;      // FILTER_...
     uint uv_set;      // which of the packed sets of texture coordinates
     float u[3], v[3]; // rows of the matrix from those coordinates, (x, y, 1), to the texture's
-    uint unused[2];
+    uint format;      // TEXEL_...
+    uint buffer;      // of the texels: 0 is `texels`, the others are MORE_TEXEL_BUFFERS
 } TextureRecord;
 
 // An entry of an alias table (Vose 1991). The environment has two for each pixel: of tables that
@@ -310,5 +315,13 @@ typedef struct {
     BUFFER(float, srgb, "sRGB table")                                                              \
     BUFFER(float, environment, "environment pixels")                                               \
     BUFFER(AliasRecord, environment_alias, "environment sampling")
+
+// Those of scenes that have more texels than one buffer of the device holds. OpenCL wants one to
+// hold a quarter of the device's memory.
+#define MORE_TEXEL_BUFFERS(BUFFER)                                                                 \
+    BUFFER(uint, texels1, "texels (second buffer)")                                                \
+    BUFFER(uint, texels2, "texels (third buffer)")                                                 \
+    BUFFER(uint, texels3, "texels (fourth buffer)")
+#define TEXEL_BUFFER_COUNT 4u
 
 #endif

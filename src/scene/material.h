@@ -46,7 +46,7 @@ struct UvTransform {
 /// (alpha never does).
 struct Texture {
     std::string name;
-    ByteImage image; ///< no pixels where it is another texture's; see image_of()
+    TexelImage image; ///< no pixels where it is another texture's; see image_of()
     bool srgb = true;
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
@@ -57,7 +57,7 @@ struct Texture {
 };
 
 /// The picture of a texture, its own or another's.
-const ByteImage& image_of(const std::vector<Texture>& textures, const Texture& texture);
+const TexelImage& image_of(const std::vector<Texture>& textures, const Texture& texture);
 
 enum class MaterialKind : uint32_t {
     diffuse,    ///< Lambert: base_color is the albedo

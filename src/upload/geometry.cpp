@@ -1,6 +1,6 @@
 #include "upload/geometry.h"
 
-#include "upload/appearance.h"
+#include "upload/textures.h"
 #include "upload/emissive.h"
 #include "upload/mesh_writer.h"
 #include "upload/words.h"

@@ -1,6 +1,6 @@
 #include "upload/vertex_attributes.h"
 
-#include "upload/appearance.h"
+#include "upload/textures.h"
 #include "upload/octahedral.h"
 #include "upload/tangents.h"
 

@@ -297,7 +297,7 @@
     OFFSET(LightBranch, unused)                                                                    \
     SIZE(TextureRecord)                                                                            \
     OFFSET(TextureRecord, offset)                                                                  \
-    OFFSET(TextureRecord, words)                                                                   \
+    OFFSET(TextureRecord, coarser)                                                                 \
     OFFSET(TextureRecord, width)                                                                   \
     OFFSET(TextureRecord, height)                                                                  \
     OFFSET(TextureRecord, wrap_u)                                                                  \

@@ -40,6 +40,15 @@
 #ifndef ONDE_FLOAT_TEXTURES
     #define ONDE_FLOAT_TEXTURES 0
 #endif
+// Whether some texture has coarser levels for what is far away.
+#ifndef ONDE_MIP_TEXTURES
+    #define ONDE_MIP_TEXTURES 0
+#endif
+#if ONDE_MIP_TEXTURES
+    #define LEVEL_BUFFERS MIP_BUFFERS
+#else
+    #define LEVEL_BUFFERS(BUFFER)
+#endif
 #ifndef ONDE_SPLIT_TEXELS
     #define ONDE_SPLIT_TEXELS 0
 #endif
@@ -150,6 +159,7 @@ typedef struct {
     SCENE_BUFFERS(VIEW_MEMBER)
     NEXT_FRAME_BUFFERS(VIEW_MEMBER)
     FURTHER_TEXEL_BUFFERS(VIEW_MEMBER)
+    LEVEL_BUFFERS(VIEW_MEMBER)
 } SceneView;
 
 // The same as kernel parameters, in the order in which the host binds them.
@@ -158,7 +168,8 @@ typedef struct {
 #define SCENE_PARAMETERS                                                                           \
     __global const FrameRecord *frame,                                                             \
         BVH_BUFFERS(BVH_PARAMETER) uint bvh_root SCENE_BUFFERS(SCENE_PARAMETER)                    \
-            NEXT_FRAME_BUFFERS(SCENE_PARAMETER) FURTHER_TEXEL_BUFFERS(SCENE_PARAMETER)
+            NEXT_FRAME_BUFFERS(SCENE_PARAMETER) FURTHER_TEXEL_BUFFERS(SCENE_PARAMETER)             \
+                LEVEL_BUFFERS(SCENE_PARAMETER)
 
 // Declares the view and fills it from those parameters.
 #define BVH_ARGUMENT(Type, name, words) bvh_##name,
@@ -166,8 +177,9 @@ typedef struct {
 #define SCENE_VIEW(view)                                                                           \
     const SceneView view = {frame,                                                                 \
                             {BVH_BUFFERS(BVH_ARGUMENT) bvh_root} SCENE_BUFFERS(SCENE_ARGUMENT)     \
-                                NEXT_FRAME_BUFFERS(SCENE_ARGUMENT)                             \
-                                    FURTHER_TEXEL_BUFFERS(SCENE_ARGUMENT)}
+                                NEXT_FRAME_BUFFERS(SCENE_ARGUMENT)                                 \
+                                    FURTHER_TEXEL_BUFFERS(SCENE_ARGUMENT)                          \
+                                        LEVEL_BUFFERS(SCENE_ARGUMENT)}
 
 // A field of a surface's own record, a float or uint: SURFACE_FIELD(view, i, sphere.radius).
 #define SURFACE_FIELD(view, i, field) RECORD(view.surfaces, i, SurfaceRecord, field)

@@ -1,5 +1,5 @@
-// Lookups in textures of 8 bits, 16 bits or floats, bilinear or of the nearest texel. NO_INDEX stands for a
-// texture of ones.
+// Lookups in textures of 8 bits, 16 bits or floats, bilinear or of the nearest texel. NO_INDEX
+// stands for a texture of ones.
 #ifndef ONDE_SHADE_TEXTURE_H
 #define ONDE_SHADE_TEXTURE_H
 
@@ -9,11 +9,17 @@
 // The texture coordinates of a point, a pair for each set that some texture of the scene uses.
 typedef struct {
     real2 set[ONDE_UV_SETS];
+#if ONDE_MIP_TEXTURES
+    real width; // of what is seen of the first set; 0: all details are looked up
+#endif
 } UvSets;
 
 INLINE UvSets same_in_all_sets(real2 uv) {
     UvSets uvs;
     for (uint k = 0; k < ONDE_UV_SETS; k++) uvs.set[k] = uv;
+#if ONDE_MIP_TEXTURES
+    uvs.width = (real)(0.0f);
+#endif
     return uvs;
 }
 
@@ -81,21 +87,18 @@ INLINE natural texel_word(SceneView view, natural buffer, natural index) {
 
 // Where a picture's texels lie, and how; see TextureRecord.
 typedef struct {
-    natural offset, words, buffer, format;
+    natural offset, buffer, format;
 } TexelPlace;
 
 INLINE TexelPlace texel_place(SceneView view, natural texture) {
     TexelPlace place;
     place.offset = RECORD_NATURAL(view.textures, texture, TextureRecord, offset);
-    place.words = place.buffer = place.format = (natural)(0u);
+    place.buffer = place.format = (natural)(0u);
 #if ONDE_WIDE_TEXTURES
-    place.words = RECORD_NATURAL(view.textures, texture, TextureRecord, words);
+    place.format = RECORD_NATURAL(view.textures, texture, TextureRecord, format);
 #endif
 #if ONDE_SPLIT_TEXELS
     place.buffer = RECORD_NATURAL(view.textures, texture, TextureRecord, buffer);
-#endif
-#if ONDE_FLOAT_TEXTURES
-    place.format = RECORD_NATURAL(view.textures, texture, TextureRecord, format);
 #endif
     return place;
 }
@@ -119,7 +122,9 @@ typedef struct {
 INLINE Texel fetch_texel(SceneView view, TexelPlace place, natural index) {
     Texel texel;
 #if ONDE_WIDE_TEXTURES
-    const natural first = place.offset + index * place.words, last = place.words - 1u;
+    const natural several = choose(place.format == TEXEL_FLOATS, (natural)(3u), (natural)(1u));
+    const natural last = choose(place.format == TEXEL_BYTES, (natural)(0u), several);
+    const natural first = place.offset + index * (last + 1u);
     for (uint k = 0; k < TEXEL_WORDS; k++)
         texel.word[k] =
             texel_word(view, place.buffer, first + choose(last < k, last, (natural)(k)));
@@ -150,7 +155,7 @@ INLINE real texel_rest(Texel texel, uint k) {
 INLINE real texel_number(Texel texel, uint k, real code) {
     const real half = from_half((texel.word[k >> 1] >> (16 * (k & 1u))) & 0xffffu);
     const real number = choose(texel.format == TEXEL_HALVES, half, as_real(texel.word[k]));
-    return choose(texel.format == TEXEL_CODES, code, number);
+    return choose(texel.format >= TEXEL_HALVES, number, code);
 }
 #endif
 
@@ -228,6 +233,40 @@ INLINE TexelQuad fetch_quad(SceneView view, natural texture, UvSets uvs) {
     return quad;
 }
 
+#if ONDE_MIP_TEXTURES
+// The exponent of the power of two at or below a number from 1 on.
+INLINE integer exponent_of(real a) {
+    return (as_integer(a) >> 23) - 127;
+}
+
+// The level of a texture whose texels are between a third and 0.71 as wide as what is seen. Samples
+// do the rest: of wider ones the picture's error is larger at many samples, for their blur.
+INLINE natural texture_level(SceneView view, natural texture, UvSets uvs) {
+    const natural width = RECORD_NATURAL(view.textures, texture, TextureRecord, width);
+    const natural height = RECORD_NATURAL(view.textures, texture, TextureRecord, height);
+    const natural coarser = RECORD_NATURAL(view.textures, texture, TextureRecord, coarser);
+    const real columns = to_real(as_integer(width)), rows = to_real(as_integer(height));
+    real seen = 0.70710678f * uvs.width * min_real(columns, rows);
+    #if ONDE_TEXTURE_TRANSFORMS
+    const real3 to_u = RECORD3(view.textures, texture, TextureRecord, u);
+    const real3 to_v = RECORD3(view.textures, texture, TextureRecord, v);
+    seen *= safe_sqrt(
+        min_real(fma(to_u.x, to_u.x, to_v.x * to_v.x), fma(to_u.y, to_u.y, to_v.y * to_v.y)));
+    #endif
+    mask filtered = (coarser != NO_INDEX) & (seen >= 2.0f);
+    #if ONDE_UV_SETS > 1
+    filtered = filtered & (RECORD_NATURAL(view.textures, texture, TextureRecord, uv_set) == 0u);
+    #endif
+    const integer last = exponent_of(max_real(columns, rows)), level = exponent_of(seen);
+    const natural below = as_natural(choose(level < last, level, last)) - 1u;
+    return choose(filtered, coarser + below, texture);
+}
+#else
+INLINE natural texture_level(SceneView view, natural texture, UvSets uvs) {
+    return texture;
+}
+#endif
+
 // The texture of a material's slot, TEXTURE_...; NO_INDEX where it has none.
 INLINE natural material_texture(SceneView view, natural material, uint slot) {
     return gather_natural((__global const uint*)view.materials,
@@ -246,12 +285,14 @@ INLINE real3 texture_data(SceneView view, natural texture, UvSets uvs) {
     return choose(present, mix3(top, bottom, q.y), ones);
 }
 
-// Linear values of a texture that stores colours; texels are linearised before filtering.
+// Linear values of a texture that stores colours; texels are linearised before filtering. Coarser
+// levels are for colours only: light is linear in them, but not in normals, roughness and opacity.
 INLINE real3 texture_color(SceneView view, natural texture, UvSets uvs) {
     const mask present = texture != NO_INDEX;
     const real3 ones = splat3((real)(1.0f));
     if (!mask_bits(present)) return ones;
-    const TexelQuad q = fetch_quad(view, choose(present, texture, (natural)(0u)), uvs);
+    const natural there = choose(present, texture, (natural)(0u));
+    const TexelQuad q = fetch_quad(view, texture_level(view, there, uvs), uvs);
     const real3 top = mix3(texel_color(view, q.texel[0]), texel_color(view, q.texel[1]), q.x);
     const real3 bottom = mix3(texel_color(view, q.texel[2]), texel_color(view, q.texel[3]), q.x);
     return choose(present, mix3(top, bottom, q.y), ones);

@@ -255,18 +255,21 @@ typedef struct {
 #define WRAP_MIRROR 2u
 #define FILTER_LINEAR 0u
 #define FILTER_NEAREST 1u
+#define FILTER_MIP 2u // linear in the picture or a coarser level of it
 
-// How the words of a texel hold its four samples, red first. Codes of 8 bits are the bytes of one
-// word; of those of 16 bits the higher bytes are in one, the lower in the next.
-#define TEXEL_CODES 0u
-#define TEXEL_HALVES 1u // two a word, not negative
-#define TEXEL_FLOATS 2u
+// How a texel holds its four samples, red first.
+#define TEXEL_BYTES 0u  // codes of 8 bits in one word
+#define TEXEL_WIDE 1u   // of 16: the higher bytes are in one word, the lower in the next
+#define TEXEL_HALVES 2u // in two words, not negative
+#define TEXEL_FLOATS 3u // in four
 
 // 64 bytes, one for each way of using a picture. The texels of all lie one after another in a
-// buffer, or in several; several records may name the same ones.
+// buffer, or in several; several records may name the same ones. With FILTER_MIP the levels of a
+// picture, each half as wide and high as the one before, down to one texel, have records of their
+// own behind those of all pictures.
 typedef struct {
-    uint offset; // of the first texel's first word
-    uint words;  // of a texel
+    uint offset;  // of the first texel's first word
+    uint coarser; // FILTER_MIP: index of the record of the next level, which the others follow
     uint width, height;
     uint wrap_u, wrap_v;
     uint filter;      // FILTER_...
@@ -323,5 +326,10 @@ typedef struct {
     BUFFER(uint, texels2, "texels (third buffer)")                                                 \
     BUFFER(uint, texels3, "texels (fourth buffer)")
 #define TEXEL_BUFFER_COUNT 4u
+
+// Those of scenes with FILTER_MIP.
+// uv_scales: by surface, how much the first set of texture coordinates grows per unit of length in
+// object space, where it does least; 0 where there are none.
+#define MIP_BUFFERS(BUFFER) BUFFER(float, uv_scales, "scales of texture coordinates")
 
 #endif

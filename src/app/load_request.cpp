@@ -15,6 +15,9 @@ void declare_load(Command& command, LoadRequest& r) {
     command.option("--load-limit", &r.limit,
                    "The most memory that loading may take (a quarter of the machine's)",
                    {.value = "GIB"});
+    command.choice("--texture-filter", r.options.texture_filter,
+                   "Between texels of all textures; mip, for less noise of what is far away, takes "
+                   "coarser ones where many lie in a pixel (each one's own, else linear)");
     command.option("--texture-memory", &r.texture_memory,
                    "The most memory that textures take on the device: the largest are halved until "
                    "all fit (any)",

@@ -75,8 +75,9 @@ void print_report(const DeviceGroup& devices, const RenderReport& r, std::FILE* 
                mega(bvh.statistics.triangles / std::max(bvh.statistics.build_seconds, 1e-9)));
     fmt::print(to, "kernels   {} in {:.3f} s\n",
                r.kernels.from_cache ? "loaded from the cache" : "compiled", r.kernels.seconds);
-    fmt::print(to, "memory    scene {:.1f} MiB (textures {:.1f} MiB), paths in flight {:.1f} MiB, "
-                   "film {:.1f} MiB\n",
+    fmt::print(to,
+               "memory    scene {:.1f} MiB (textures {:.1f} MiB), paths in flight {:.1f} MiB, "
+               "film {:.1f} MiB\n",
                mebi(plan.scene), double(session.packed().texture_bytes()) / (1 << 20),
                mebi(plan.paths), mebi(plan.film));
     fmt::print(to, "render    {:.4g} samples per pixel in {:.3f} s\n", r.outcome.samples,

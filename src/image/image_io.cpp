@@ -156,7 +156,7 @@ void check_shape(const Image& image, const std::filesystem::path& path) {
 } // namespace
 
 TexelImage decode_texels(std::span<const uint8_t> file, const std::string& name,
-                            uint64_t max_pixels) {
+                         uint64_t max_pixels) {
     return guarded(name, [&]() -> TexelImage {
         StoredImage stored = decode(file, name, max_pixels);
         return std::visit([&](auto& samples) { return rgba_image(stored, std::move(samples)); },

@@ -35,10 +35,10 @@ Image read_exr(const std::filesystem::path& path, const std::vector<std::string>
 ImageMetadata read_image_metadata(const std::filesystem::path& path);
 
 /// Decodes an image file held in memory (the formats of read_image) to RGBA of 8 bits, of 16 where
-/// the file has more and they are not a copy of the first 8, or of floats where it has those. `name`
-/// is used in error sentences only. Throws InputError like read_image.
+/// the file has more and they are not a copy of the first 8, or of floats where it has those.
+/// `name` is used in error sentences only. Throws InputError like read_image.
 TexelImage decode_texels(std::span<const uint8_t> file, const std::string& name,
-                            uint64_t max_pixels = MOST_PIXELS);
+                         uint64_t max_pixels = MOST_PIXELS);
 
 struct ImageSize {
     uint32_t width = 0, height = 0;

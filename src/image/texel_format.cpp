@@ -26,15 +26,17 @@ float nearest_half(float x) {
 }
 
 TexelFormat texel_format(const TexelImage& image) {
-    if (!image.is_linear()) return TexelFormat::codes;
-    const bool fit = std::ranges::all_of(image.floats, [](float x) { return exact_half(x).has_value(); });
+    if (!image.is_linear()) return image.low.empty() ? TexelFormat::bytes : TexelFormat::wide;
+    const bool fit =
+        std::ranges::all_of(image.floats, [](float x) { return exact_half(x).has_value(); });
     return fit ? TexelFormat::halves : TexelFormat::floats;
 }
 
 uint32_t texel_words(const TexelImage& image) {
     switch (texel_format(image)) {
-    case TexelFormat::codes:
-        return image.low.empty() ? 1 : 2;
+    case TexelFormat::bytes:
+        return 1;
+    case TexelFormat::wide:
     case TexelFormat::halves:
         return 2;
     case TexelFormat::floats:

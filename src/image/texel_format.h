@@ -10,7 +10,8 @@ namespace onde {
 
 /// The values are TEXEL_... of shared/scene.h.
 enum class TexelFormat : uint32_t {
-    codes,  ///< of 8 bits, or of 16
+    bytes,  ///< codes of 8 bits
+    wide,   ///< codes of 16
     halves, ///< floats that halves hold
     floats,
 };
@@ -20,7 +21,7 @@ TexelFormat texel_format(const TexelImage& image);
 /// 32-bit words of a texel.
 uint32_t texel_words(const TexelImage& image);
 
-/// What the picture takes on a device.
+/// What the picture takes on a device, without coarser levels.
 uint64_t device_bytes(const TexelImage& image);
 
 /// The half (IEEE 754 binary16) of a finite number from 0 on, where it is no further from it than

@@ -33,7 +33,7 @@ std::filesystem::path LoadContext::resolve(const std::filesystem::path& folder,
 }
 
 TexelImage decode_within(LoadContext& context, std::span<const uint8_t> file,
-                        const std::string& name) {
+                         const std::string& name) {
     const ImageSize size = image_size(file, name);
     const uint64_t texel = 4 * size.sample_bytes;
     context.spend(size.pixels(), 2 * texel, name); // here and packed

@@ -22,11 +22,13 @@ constexpr auto enum_words(Wrap) {
                       EnumWord{Wrap::mirror, "mirror"}};
 }
 
-enum class TextureFilter : uint32_t { linear, nearest };
+/// mip: linear, in a coarser level of the picture where the camera sees many texels in a pixel.
+enum class TextureFilter : uint32_t { linear, nearest, mip };
 
 constexpr auto enum_words(TextureFilter) {
     return std::array{EnumWord{TextureFilter::linear, "linear"},
-                      EnumWord{TextureFilter::nearest, "nearest"}};
+                      EnumWord{TextureFilter::nearest, "nearest"},
+                      EnumWord{TextureFilter::mip, "mip"}};
 }
 
 inline constexpr int32_t NO_TEXTURE = -1;

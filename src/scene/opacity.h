@@ -12,6 +12,6 @@ enum class OpacityChannel { red, alpha_or_red };
 /// where it has one and that is wanted, else its red. As large as the larger of the two on each
 /// side; texels are repeated where the other is smaller.
 TexelImage with_opacity(const TexelImage& color, const TexelImage& opacity,
-                       OpacityChannel wanted = OpacityChannel::alpha_or_red);
+                        OpacityChannel wanted = OpacityChannel::alpha_or_red);
 
 } // namespace onde

@@ -15,8 +15,4 @@ inline constexpr uint32_t LEAST_TEXTURE_SIDE = 64;
 /// rounding of codes.
 void lower_textures(Scene& scene, uint64_t bytes);
 
-/// A picture of that size, no side of which is larger: each texel is the mean, by area, of those
-/// that it covers. `srgb` says that the codes of colours are to be linearised for that.
-TexelImage lowered(const TexelImage& image, uint32_t width, uint32_t height, bool srgb);
-
 } // namespace onde

@@ -76,6 +76,7 @@ SceneFeatures Session::features_of(const PackedScene& packed) const {
     features.light_tree = packed.features.light_tree;
     features.motion = packed.features.motion;
     features.split_texels = packed.features.split_texels;
+    features.mip_textures = packed.features.mip_textures;
     return options_.further_features ? joined(features, *options_.further_features) : features;
 }
 

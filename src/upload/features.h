@@ -30,6 +30,7 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(bool, nearest_filters, false, NEAREST_FILTERS, either)                                 \
     FEATURE(bool, wide_textures, false, WIDE_TEXTURES, either)   /* of more than 8 bits */         \
     FEATURE(bool, float_textures, false, FLOAT_TEXTURES, either) /* some have floats */            \
+    FEATURE(bool, mip_textures, false, MIP_TEXTURES, data)       /* some have coarser levels */    \
     FEATURE(bool, split_texels, false, SPLIT_TEXELS, data)       /* in several buffers */          \
     FEATURE(bool, vertex_colors, false, VERTEX_COLORS, data)                                       \
     FEATURE(bool, alpha, false, ALPHA, either)     /* some surface lets rays pass */               \

@@ -3,8 +3,8 @@
 #include "scene/light_groups.h"
 #include "scene/load.h"
 #include "upload/alias_table.h"
-#include "upload/textures.h"
 #include "upload/light_tree.h"
+#include "upload/textures.h"
 #include "upload/words.h"
 
 #include <algorithm>

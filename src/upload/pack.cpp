@@ -69,9 +69,10 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
         features.nearest_filters |= texture.filter == TextureFilter::nearest;
     }
     for (const TextureRecord& texture : packed.textures) {
-        features.wide_textures |= texture.words > 1;
-        features.float_textures |= texture.format != TEXEL_CODES;
+        features.wide_textures |= texture.format != TEXEL_BYTES;
+        features.float_textures |= texture.format >= TEXEL_HALVES;
         features.split_texels |= texture.buffer > 0;
+        features.mip_textures |= texture.coarser != NO_INDEX;
     }
     features.vertex_colors = !packed.colors.empty();
     features.common_lobes = ~0u;
@@ -141,6 +142,7 @@ static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry 
     static_cast<MotionArrays&>(packed) = pack_motion(scene, flat);
     packed.surfaces = std::move(flat.surfaces);
     packed.bulges = std::move(flat.bulges);
+    packed.uv_scales = std::move(flat.uv_scales);
     packed.vertices = std::move(flat.vertices);
     packed.uvs = std::move(flat.uvs);
     packed.colors = std::move(flat.colors);

@@ -19,17 +19,19 @@
 
 namespace onde {
 
-/// The arrays of SCENE_BUFFERS and MORE_TEXEL_BUFFERS in shared/scene.h.
+/// The arrays of SCENE_BUFFERS, MORE_TEXEL_BUFFERS and MIP_BUFFERS in shared/scene.h.
 struct SceneArrays {
 #define ONDE_ARRAY(Type, name, words) std::vector<Type> name;
     SCENE_BUFFERS(ONDE_ARRAY)
     MORE_TEXEL_BUFFERS(ONDE_ARRAY)
+    MIP_BUFFERS(ONDE_ARRAY)
 #undef ONDE_ARRAY
 };
 
 /// All that may be on the device, beside the tree.
 #define PACKED_BUFFERS(BUFFER)                                                                     \
-    SCENE_BUFFERS(BUFFER) MOTION_BUFFERS(BUFFER) MORE_TEXEL_BUFFERS(BUFFER)
+    SCENE_BUFFERS(BUFFER)                                                                          \
+    MOTION_BUFFERS(BUFFER) MORE_TEXEL_BUFFERS(BUFFER) MIP_BUFFERS(BUFFER)
 
 struct PackedScene : SceneArrays, MotionArrays {
     Bvh bvh;

@@ -22,7 +22,8 @@ struct PackedTextures {
     std::vector<TextureRecord> records;
     std::array<std::vector<uint32_t>, TEXEL_BUFFER_COUNT> texels; ///< see TextureRecord
 };
-/// Each picture lies in one buffer, the first that has room. Throws InputError where none has.
+/// Each picture, and each of its levels, lies in one buffer, the first that has room. Throws
+/// InputError where none has.
 PackedTextures pack_textures(const Scene& scene, const TextureOptions& options = {});
 
 /// Linear values of the 256 sRGB codes (IEC 61966-2-1).

@@ -266,8 +266,8 @@ TEST_CASE("--aov alpha writes the matte that a transparent background gives the 
     REQUIRE(outcome.code == 0);
     const auto image_of = [&](const char* name) {
         const std::string bytes = content(folder / name);
-        return onde::decode_texels(
-            {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, name);
+        return onde::decode_texels({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()},
+                                   name);
     };
     const onde::TexelImage picture = image_of("a.png"), matte = image_of("a.alpha.png");
     std::set<uint8_t> seen;

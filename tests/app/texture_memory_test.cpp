@@ -29,7 +29,8 @@ TEST_CASE("--texture-memory halves textures until they fit, and says so") {
         const Outcome outcome = onde::test::onde(folder, all);
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
-        const bool told = outcome.err.find("1 of 1 pictures have fewer texels") < outcome.err.size();
+        const bool told =
+            outcome.err.find("1 of 1 pictures have fewer texels") < outcome.err.size();
         CHECK(told == !more.empty());
         const auto report = nlohmann::json::parse(content(folder / "b.json"));
         CHECK(report.at("texture_bytes") < report.at("scene_bytes"));

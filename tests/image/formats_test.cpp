@@ -62,8 +62,7 @@ void check_reads(const std::string& file, const std::vector<uint8_t>& rgba, size
     CHECK(image.width == WIDTH);
     CHECK(image.height == HEIGHT);
     CHECK(image.rgba == rgba);
-    CHECK_THROWS_WITH(decode_texels(bytes_of(file), "a picture", 5),
-                      Catch::Contains("limit of 5"));
+    CHECK_THROWS_WITH(decode_texels(bytes_of(file), "a picture", 5), Catch::Contains("limit of 5"));
     for (size_t cut = 0; cut + spare < file.size(); ++cut) {
         INFO(cut << " of " << file.size() << " bytes");
         CHECK_THROWS_AS(decode(file.substr(0, cut)), InputError);

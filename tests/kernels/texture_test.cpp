@@ -74,7 +74,8 @@ TEST_CASE("textures of 8 bits read the same bits beside one of 16") {
     }
 }
 
-TEST_CASE("floats keep their range, as halves where those hold them, beside codes, at every width") {
+TEST_CASE(
+    "floats keep their range, as halves where those hold them, beside codes, at every width") {
     Scene scene = textured_scene();
     Generator generator(57);
     const auto set = [&](size_t t, auto sample) {
@@ -93,7 +94,7 @@ TEST_CASE("floats keep their range, as halves where those hold them, beside code
         scene.textures[4].image.low.push_back(uint8_t(generator()));
     const PackedTextures packed = pack_textures(scene);
     const auto format = [&](size_t t) { return packed.records[t].format; };
-    CHECK(format(0) == TEXEL_CODES);
+    CHECK(format(0) == TEXEL_BYTES);
     CHECK(format(1) == TEXEL_HALVES);
     CHECK(format(2) == TEXEL_FLOATS);
     CHECK(format(5) == TEXEL_HALVES);
@@ -106,8 +107,7 @@ TEST_CASE("texels lie in several buffers where one is too small, and are read as
     const Scene scene = textured_scene();
     SceneProbe one(scene, {"texture"});
     size_t most = 0; // what the largest picture takes
-    for (const Texture& texture : scene.textures)
-        most = std::max(most, texture.image.rgba.size());
+    for (const Texture& texture : scene.textures) most = std::max(most, texture.image.rgba.size());
     CHECK_THROWS_WITH(pack_textures(scene, {.largest_buffer = most / 2}),
                       Catch::Contains("--texture-memory"));
     const TextureOptions several{.largest_buffer = most + most / 4};

@@ -2,6 +2,7 @@
 #include "scene/texture_budget.h"
 
 #include "doctor/columns.h"
+#include "image/lowered.h"
 #include "image/texel_format.h"
 #include "image/tone.h"
 #include "scratch.h"
@@ -64,7 +65,8 @@ TEST_CASE("a lowered picture has the mean of the full one, in every format and o
             CHECK(low.samples() == size_t(4) * 19 * 9);
             CHECK(texel_format(low) == texel_format(full));
             CHECK(low.low.empty() == full.low.empty());
-            const double bound = kind == Kind::bytes ? 5e-4 : 2e-4; // of roundings that go both ways
+            const double bound =
+                kind == Kind::bytes ? 5e-4 : 2e-4; // of roundings that go both ways
             for (size_t channel = 0; channel < 4; channel++)
                 CHECK(mean_of(low, channel, srgb) ==
                       Approx(mean_of(full, channel, srgb)).margin(bound));
@@ -74,7 +76,7 @@ TEST_CASE("a lowered picture has the mean of the full one, in every format and o
 TEST_CASE("texels of a lowered picture are the means of those that they cover") {
     TexelImage full{3, 1, {0, 0, 0, 255, 90, 90, 90, 255, 240, 240, 240, 255}};
     CHECK(lowered(full, 2, 1, false).rgba == std::vector<uint8_t>{30, 30, 30, 255, // 2/3 and 1/3
-                                                                 190, 190, 190, 255});
+                                                                  190, 190, 190, 255});
     full = {2, 1, {0, 0, 0, 0, 255, 255, 255, 255}};
     CHECK(lowered(full, 1, 1, true).rgba == std::vector<uint8_t>{188, 188, 188, 128});
 }

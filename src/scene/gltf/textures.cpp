@@ -81,7 +81,7 @@ uint32_t TextureLoader::first_of_file(uint32_t index, const std::string& user) {
 
 /// The first of the texture's images that can be read; nothing, with a note, if there is none.
 std::optional<TexelImage> TextureLoader::decode_any(const TextureSource& texture,
-                                                   const std::string& user) {
+                                                    const std::string& user) {
     std::vector<uint32_t> candidates{*texture.image};
     candidates.insert(candidates.end(), texture.fallbacks.begin(), texture.fallbacks.end());
     std::string tried;

@@ -99,7 +99,7 @@ int32_t texture(const mtl::Map& map, bool srgb, Scene& scene, FileFinder& files,
 
 /// The picture of a map, without leaving a texture in the scene for it; empty when it can't be had.
 TexelImage picture(const mtl::Map& map, Scene& scene, FileFinder& files, const std::string& folder,
-                  Notes& notes) {
+                   Notes& notes) {
     const size_t before = scene.textures.size();
     const int32_t index = texture(map, true, scene, files, folder, notes);
     if (index == NO_TEXTURE) return {};

@@ -34,9 +34,9 @@ float half_width(float along) {
 }
 
 /// White where the leaf is, and nothing around it.
-ByteImage outline() {
+TexelImage outline() {
     constexpr uint32_t SIZE = 256;
-    ByteImage image{SIZE, SIZE, {}};
+    TexelImage image{SIZE, SIZE, {}};
     for (uint32_t y = 0; y < SIZE; y++)
         for (uint32_t x = 0; x < SIZE; x++) {
             const float across = std::abs((float(y) + 0.5f) / SIZE - 0.5f);

@@ -104,6 +104,12 @@ INLINE real angle_turns(real y, real x) {
     return choose(y < 0.0f, 1.0f - turns, turns);
 }
 
+// The number whose half (IEEE 754 binary16) is in the lower 16 bits; from 0 on, and finite.
+INLINE real from_half(natural half) {
+    const real normal = as_real((half << 13u) + 0x38000000u); // its exponent counts from 112 less
+    return choose(half < 0x400u, to_real(as_integer(half)) * 5.9604644775390625e-8f, normal);
+}
+
 // Unit vector from two signed 16-bit octahedral coordinates (Cigolle et al. 2014).
 INLINE real3 decode_octahedral(natural word) {
     real x = to_real(as_integer(word << 16) >> 16) * (1.0f / 32767.0f);

@@ -9,6 +9,7 @@
 #include "path/scatter.h"
 #include "path/state.h"
 #include "shade/connection.h"
+#include "shade/footprint.h"
 #include "shade/light.h"
 #include "shade/passing.h"
 #include "shade/vertex.h"
@@ -155,6 +156,9 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     Vertex v;
     v.surface = surface_at(view, path.origin, path.direction, hit, found);
     v.t = choose(found, hit.t, (real)(0.0f));
+#if ONDE_MIP_TEXTURES
+    if (bounce == 0) v.surface.uv.width = pixel_in_uv(view, path.direction, hit, found);
+#endif
 #if ONDE_ABSORPTION
     path.throughput = mul3(path.throughput, solid_transmittance(view, v.surface, v.t));
 #endif

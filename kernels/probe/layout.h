@@ -298,7 +298,7 @@
     OFFSET(LightBranch, unused)                                                                    \
     SIZE(TextureRecord)                                                                            \
     OFFSET(TextureRecord, offset)                                                                  \
-    OFFSET(TextureRecord, low)                                                                     \
+    OFFSET(TextureRecord, coarser)                                                                 \
     OFFSET(TextureRecord, width)                                                                   \
     OFFSET(TextureRecord, height)                                                                  \
     OFFSET(TextureRecord, wrap_u)                                                                  \
@@ -307,7 +307,8 @@
     OFFSET(TextureRecord, uv_set)                                                                  \
     OFFSET(TextureRecord, u)                                                                       \
     OFFSET(TextureRecord, v)                                                                       \
-    OFFSET(TextureRecord, unused)                                                                  \
+    OFFSET(TextureRecord, format)                                                                  \
+    OFFSET(TextureRecord, buffer)                                                                  \
     SIZE(AliasRecord)                                                                              \
     OFFSET(AliasRecord, below)                                                                     \
     OFFSET(AliasRecord, alias)                                                                     \

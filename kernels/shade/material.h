@@ -25,19 +25,6 @@ INLINE natural material_group(SceneView view, natural material) {
     return RECORD_NATURAL(view.materials, material, MaterialRecord, group);
 }
 
-// The base colour at a surface.
-INLINE real3 material_color(SceneView view, Surface s) {
-    real3 color = RECORD3(view.materials, s.material, MaterialRecord, base_color);
-#if ONDE_TEXTURES
-    const natural texture = material_texture(view, s.material, TEXTURE_BASE_COLOR);
-    color = mul3(color, texture_color(view, texture, s.uv));
-#endif
-#if ONDE_VERTEX_COLORS
-    color = mul3(color, s.tint);
-#endif
-    return color;
-}
-
 // Whether some material of the scene is unlit, and which lanes' are.
 #define HAS_UNLIT (ONDE_KINDS >> MATERIAL_UNLIT & 1u)
 INLINE mask is_unlit(SceneView view, natural material) {
@@ -45,10 +32,33 @@ INLINE mask is_unlit(SceneView view, natural material) {
 }
 
 #if ONDE_TEXTURES
+// What is unlit is as bright as its texture.
+INLINE real3 base_color_texel(SceneView view, Surface s, natural texture) {
+    if (!(HAS_UNLIT && ONDE_FLOAT_TEXTURES)) return texture_tint(view, texture, s.uv);
+    const mask shown = is_unlit(view, s.material);
+    const real3 color = texture_color(view, texture, s.uv);
+    return choose(shown, color, at_most_one(color));
+}
+#endif
+
+// The base colour at a surface.
+INLINE real3 material_color(SceneView view, Surface s) {
+    real3 color = RECORD3(view.materials, s.material, MaterialRecord, base_color);
+#if ONDE_TEXTURES
+    const natural texture = material_texture(view, s.material, TEXTURE_BASE_COLOR);
+    color = mul3(color, base_color_texel(view, s, texture));
+#endif
+#if ONDE_VERTEX_COLORS
+    color = mul3(color, s.tint);
+#endif
+    return color;
+}
+
+#if ONDE_TEXTURES
     #define MATERIAL_DATA(view, s, NAME)                                                           \
         texture_data(view, material_texture(view, (s).material, TEXTURE_##NAME), (s).uv)
     #define MATERIAL_TINT(view, s, NAME)                                                           \
-        texture_color(view, material_texture(view, (s).material, TEXTURE_##NAME), (s).uv)
+        texture_tint(view, material_texture(view, (s).material, TEXTURE_##NAME), (s).uv)
     #define MATERIAL_ALPHA(view, s, NAME)                                                          \
         texture_alpha(view, material_texture(view, (s).material, TEXTURE_##NAME), (s).uv)
 #else

@@ -23,7 +23,8 @@
     #define ONDE_NORMAL_MAPS 1
 #endif
 // Sets of texture coordinates that its textures use; whether some texture moves, turns or scales
-// them, whether some takes the nearest texel, and whether some has samples of 16 bits.
+// them, whether some takes the nearest texel, whether some has samples of more than 8 bits, and
+// whether some has floats; whether one buffer holds the texels of all.
 #ifndef ONDE_UV_SETS
     #define ONDE_UV_SETS 1
 #endif
@@ -35,6 +36,26 @@
 #endif
 #ifndef ONDE_WIDE_TEXTURES
     #define ONDE_WIDE_TEXTURES 0
+#endif
+#ifndef ONDE_FLOAT_TEXTURES
+    #define ONDE_FLOAT_TEXTURES 0
+#endif
+// Whether some texture has coarser levels for what is far away.
+#ifndef ONDE_MIP_TEXTURES
+    #define ONDE_MIP_TEXTURES 0
+#endif
+#if ONDE_MIP_TEXTURES
+    #define LEVEL_BUFFERS MIP_BUFFERS
+#else
+    #define LEVEL_BUFFERS(BUFFER)
+#endif
+#ifndef ONDE_SPLIT_TEXELS
+    #define ONDE_SPLIT_TEXELS 0
+#endif
+#if ONDE_SPLIT_TEXELS
+    #define FURTHER_TEXEL_BUFFERS MORE_TEXEL_BUFFERS
+#else
+    #define FURTHER_TEXEL_BUFFERS(BUFFER)
 #endif
 // Whether some material lets rays pass by its alpha, and whether cameras see through the back of
 // some. ONDE_PASSING is 1 where rays or light may go on behind a surface for these reasons or
@@ -137,6 +158,8 @@ typedef struct {
     BvhView bvh;
     SCENE_BUFFERS(VIEW_MEMBER)
     NEXT_FRAME_BUFFERS(VIEW_MEMBER)
+    FURTHER_TEXEL_BUFFERS(VIEW_MEMBER)
+    LEVEL_BUFFERS(VIEW_MEMBER)
 } SceneView;
 
 // The same as kernel parameters, in the order in which the host binds them.
@@ -145,7 +168,8 @@ typedef struct {
 #define SCENE_PARAMETERS                                                                           \
     __global const FrameRecord *frame,                                                             \
         BVH_BUFFERS(BVH_PARAMETER) uint bvh_root SCENE_BUFFERS(SCENE_PARAMETER)                    \
-            NEXT_FRAME_BUFFERS(SCENE_PARAMETER)
+            NEXT_FRAME_BUFFERS(SCENE_PARAMETER) FURTHER_TEXEL_BUFFERS(SCENE_PARAMETER)             \
+                LEVEL_BUFFERS(SCENE_PARAMETER)
 
 // Declares the view and fills it from those parameters.
 #define BVH_ARGUMENT(Type, name, words) bvh_##name,
@@ -153,7 +177,9 @@ typedef struct {
 #define SCENE_VIEW(view)                                                                           \
     const SceneView view = {frame,                                                                 \
                             {BVH_BUFFERS(BVH_ARGUMENT) bvh_root} SCENE_BUFFERS(SCENE_ARGUMENT)     \
-                                NEXT_FRAME_BUFFERS(SCENE_ARGUMENT)}
+                                NEXT_FRAME_BUFFERS(SCENE_ARGUMENT)                                 \
+                                    FURTHER_TEXEL_BUFFERS(SCENE_ARGUMENT)                          \
+                                        LEVEL_BUFFERS(SCENE_ARGUMENT)}
 
 // A field of a surface's own record, a float or uint: SURFACE_FIELD(view, i, sphere.radius).
 #define SURFACE_FIELD(view, i, field) RECORD(view.surfaces, i, SurfaceRecord, field)

@@ -256,20 +256,28 @@ typedef struct {
 #define WRAP_MIRROR 2u
 #define FILTER_LINEAR 0u
 #define FILTER_NEAREST 1u
+#define FILTER_MIP 2u // linear in the picture or a coarser level of it
 
-// 64 bytes, one for each way of using a picture. Texels are RGBA8 words in one common buffer, where
-// several records may name the same ones. Samples of 16 bits lie in two such pictures, of their
-// higher and of their lower bytes; those of 8 bits have both in the same place, as 257 times a byte
-// is that byte twice.
+// How a texel holds its four samples, red first.
+#define TEXEL_BYTES 0u  // codes of 8 bits in one word
+#define TEXEL_WIDE 1u   // of 16: the higher bytes are in one word, the lower in the next
+#define TEXEL_HALVES 2u // in two words, not negative
+#define TEXEL_FLOATS 3u // in four
+
+// 64 bytes, one for each way of using a picture. The texels of all lie one after another in a
+// buffer, or in several; several records may name the same ones. With FILTER_MIP the levels of a
+// picture, each half as wide and high as the one before, down to one texel, have records of their
+// own behind those of all pictures.
 typedef struct {
-    uint offset; // of the first texel
-    uint low;    // of the first texel's lower bytes
+    uint offset;  // of the first texel's first word
+    uint coarser; // FILTER_MIP: index of the record of the next level, which the others follow
     uint width, height;
     uint wrap_u, wrap_v;
     uint filter;      // FILTER_...
     uint uv_set;      // which of the packed sets of texture coordinates
     float u[3], v[3]; // rows of the matrix from those coordinates, (x, y, 1), to the texture's
-    uint unused[2];
+    uint format;      // TEXEL_...
+    uint buffer;      // of the texels: 0 is `texels`, the others are MORE_TEXEL_BUFFERS
 } TextureRecord;
 
 // An entry of an alias table (Vose 1991). The environment has two for each pixel: of tables that
@@ -311,5 +319,18 @@ typedef struct {
     BUFFER(float, srgb, "sRGB table")                                                              \
     BUFFER(float, environment, "environment pixels")                                               \
     BUFFER(AliasRecord, environment_alias, "environment sampling")
+
+// Those of scenes that have more texels than one buffer of the device holds. OpenCL wants one to
+// hold a quarter of the device's memory.
+#define MORE_TEXEL_BUFFERS(BUFFER)                                                                 \
+    BUFFER(uint, texels1, "texels (second buffer)")                                                \
+    BUFFER(uint, texels2, "texels (third buffer)")                                                 \
+    BUFFER(uint, texels3, "texels (fourth buffer)")
+#define TEXEL_BUFFER_COUNT 4u
+
+// Those of scenes with FILTER_MIP.
+// uv_scales: by surface, how much the first set of texture coordinates grows per unit of length in
+// object space, where it does least; 0 where there are none.
+#define MIP_BUFFERS(BUFFER) BUFFER(float, uv_scales, "scales of texture coordinates")
 
 #endif

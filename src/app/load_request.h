@@ -11,7 +11,7 @@ namespace onde::app {
 
 struct LoadRequest {
     LoadOptions options;
-    std::optional<double> gibibytes; ///< of the options' limit
+    std::optional<double> limit, texture_memory; ///< of the options, in GiB
 };
 
 void declare_load(Command& command, LoadRequest& request);

@@ -75,8 +75,11 @@ void print_report(const DeviceGroup& devices, const RenderReport& r, std::FILE* 
                mega(bvh.statistics.triangles / std::max(bvh.statistics.build_seconds, 1e-9)));
     fmt::print(to, "kernels   {} in {:.3f} s\n",
                r.kernels.from_cache ? "loaded from the cache" : "compiled", r.kernels.seconds);
-    fmt::print(to, "memory    scene {:.1f} MiB, paths in flight {:.1f} MiB, film {:.1f} MiB\n",
-               mebi(plan.scene), mebi(plan.paths), mebi(plan.film));
+    fmt::print(to,
+               "memory    scene {:.1f} MiB (textures {:.1f} MiB), paths in flight {:.1f} MiB, "
+               "film {:.1f} MiB\n",
+               mebi(plan.scene), double(session.packed().texture_bytes()) / (1 << 20),
+               mebi(plan.paths), mebi(plan.film));
     fmt::print(to, "render    {:.4g} samples per pixel in {:.3f} s\n", r.outcome.samples,
                r.outcome.seconds);
     print_rays(to, options, r.outcome, devices.ray_counts());
@@ -127,6 +130,7 @@ Json report_json(const DeviceGroup& devices, const RenderReport& r) {
         {"write_seconds", r.write_seconds},
         {"total_seconds", r.total_seconds},
         {"scene_bytes", gpu::total_bytes(plan.scene)},
+        {"texture_bytes", session.packed().texture_bytes()},
         {"state_bytes", gpu::total_bytes(plan.paths)},
         {"film_bytes", gpu::total_bytes(plan.film)},
         {"closest_hit_rays", rays.extension},

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -35,16 +36,17 @@ inline size_t wrap_index(int64_t i, int64_t size, Wrap wrap) {
     return size_t(folded < size ? folded : 2 * size - 1 - folded);
 }
 
-/// A sample of 16 bits in 0 to 1; of colours linearised.
-inline double linear_sample(uint32_t sample, bool color) {
-    const double c = sample / 65535.0;
+/// A sample as a linear number; codes of colours are sRGB, and data end at 1.
+inline double exact_sample(const TexelImage& image, size_t at, bool color) {
+    if (image.is_linear()) return color ? image.floats[at] : std::min(image.floats[at], 1.0f);
+    const double c = image.code(at) / 65535.0;
     if (!color) return c;
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
 /// A bilinear lookup.
 inline double look_up(const Texture& texture, double u, double v, size_t channel, bool color) {
-    const ByteImage& image = texture.image;
+    const TexelImage& image = texture.image;
     const double x = u * image.width - 0.5, y = v * image.height - 0.5;
     const auto x0 = int64_t(std::floor(x)), y0 = int64_t(std::floor(y));
     double sum = 0;
@@ -54,8 +56,7 @@ inline double look_up(const Texture& texture, double u, double v, size_t channel
                                   (1 - std::abs(y - double(y0 + j)));
             const size_t column = wrap_index(x0 + i, image.width, texture.wrap_u);
             const size_t row = wrap_index(y0 + j, image.height, texture.wrap_v);
-            const uint32_t sample = image.wide(4 * (row * image.width + column) + channel);
-            sum += weight * linear_sample(sample, color);
+            sum += weight * exact_sample(image, 4 * (row * image.width + column) + channel, color);
         }
     return sum;
 }

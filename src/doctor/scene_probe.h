@@ -14,8 +14,8 @@ struct SceneOnDevice {
 
     SceneOnDevice(const gpu::Device& device, const Scene& description,
                   const RenderOptions& options = {}, const BvhOptions& bvh = {},
-                  const LightOptions& lights = {})
-        : scene(device, pack_scene(description, bvh, lights)), frame(device, 1) {
+                  const LightOptions& lights = {}, const TextureOptions& textures = {})
+        : scene(device, pack_scene(description, bvh, lights, textures)), frame(device, 1) {
         const Camera camera = description.cameras.empty() ? Camera{} : description.cameras[0];
         const FrameRecord record = make_frame(scene.packed(), camera, options);
         frame.write(device, std::span(&record, 1));
@@ -27,8 +27,9 @@ class SceneProbe {
     SceneProbe(gpu::Programs& programs, const Scene& description,
                const std::vector<std::string>& names, uint32_t width,
                const RenderOptions& options = {}, const BvhOptions& bvh = {},
-               const LightOptions& lights = {}, const std::string& file = "scene.cl")
-        : world_(programs.device(), description, options, bvh, lights),
+               const LightOptions& lights = {}, const std::string& file = "scene.cl",
+               const TextureOptions& textures = {})
+        : world_(programs.device(), description, options, bvh, lights, textures),
           probe_(programs, file, width, names, world_.scene.packed().features.defines(),
                  {layout_file(world_.scene.packed().features.layout)}) {}
 

@@ -27,20 +27,26 @@ struct Image {
     }
 };
 
-/// RGBA as textures store it, origin top left, not linearised, of 8 bits or of 16: those have the
-/// higher byte of each sample in `rgba` and the lower one in `low`. `rgba.size() == 4 * width *
-/// height`; `low` is as large or empty, which stands for a copy of `rgba`: 255 is 65535.
-struct ByteImage {
+/// RGBA as textures store it, origin top left: codes of 8 bits or of 16, not linearised, or floats,
+/// which are linear, colours too. Codes of 16 bits have the higher byte of each sample in `rgba`
+/// and the lower one in `low`, which is as large or empty; empty stands for a copy of `rgba`: 255
+/// is 65535. `rgba.size()`, or `floats.size()` beside an empty `rgba`, is 4 * width * height.
+struct TexelImage {
     uint32_t width = 0;
     uint32_t height = 0;
     std::vector<uint8_t> rgba;
     std::vector<uint8_t> low{};
-    bool from_floats = false; ///< which are linear, colours too
+    std::vector<float> floats{}; ///< finite, not negative; alpha is at most 1
     uint64_t cut = 0; ///< pixels of floats that had a negative, infinite or meaningless sample
 
-    /// A sample of 16 bits.
-    uint32_t wide(size_t at) const { return rgba[at] * 256u + (low.empty() ? rgba[at] : low[at]); }
-    uint64_t bytes() const { return rgba.size() + low.size(); }
+    bool is_linear() const { return !floats.empty(); }
+    size_t samples() const { return is_linear() ? floats.size() : rgba.size(); }
+    bool empty() const { return samples() == 0; }
+    /// A sample as it is stored; codes are in 0 to 1.
+    float sample(size_t at) const { return is_linear() ? floats[at] : float(code(at)) / 65535.0f; }
+    /// A sample of codes, as if of 16 bits.
+    uint32_t code(size_t at) const { return rgba[at] * 256u + (low.empty() ? rgba[at] : low[at]); }
+    uint64_t bytes() const { return rgba.size() + low.size() + sizeof(float) * floats.size(); }
 };
 
 } // namespace onde

@@ -76,18 +76,10 @@ float alpha_as_float(T value) {
     return float(value) / float(std::numeric_limits<T>::max());
 }
 
-bool is_cut(uint16_t) {
-    return false;
-}
-bool is_cut(float value) {
-    return !(value >= 0 && std::isfinite(value));
-}
-
-uint16_t as_16_bits(uint16_t value) {
-    return value;
-}
-uint16_t as_16_bits(float value) {
-    return value > 0 ? uint16_t(std::min(value, 1.0f) * 65535 + 0.5f) : uint16_t(0); // NaN is 0
+/// What is infinite becomes the largest number of a half.
+float within_range(float value) {
+    if (std::isinf(value) && value > 0) return 65504.0f;
+    return value > 0 ? value : 0.0f; // NaN is 0
 }
 
 /// Which stored channel feeds each of R, G, B and A; -1 is opaque.
@@ -97,28 +89,37 @@ std::array<int, 4> rgba_of(uint32_t channels) {
     return channels == 3 ? std::array{0, 1, 2, -1} : std::array{0, 1, 2, 3};
 }
 
-ByteImage rgba_image(const StoredImage& stored, std::vector<uint8_t> samples) {
+TexelImage rgba_image(const StoredImage& stored, std::vector<uint8_t> samples) {
     if (stored.channels != 4) spread_to_rgba(samples, stored.channels, rgba_of(stored.channels));
     return {stored.width, stored.height, std::move(samples)};
 }
 
 /// Samples of 16 bits, or of 8 where the lower ones only repeat them.
-template <class T>
-ByteImage rgba_image(const StoredImage& stored, const std::vector<T>& samples) {
+TexelImage rgba_image(const StoredImage& stored, const std::vector<uint16_t>& samples) {
     const std::array<int, 4> map = rgba_of(stored.channels);
-    ByteImage image{stored.width, stored.height, {}};
-    image.from_floats = std::is_same_v<T, float>;
+    TexelImage image{stored.width, stored.height, {}};
     image.rgba.reserve(samples.size() / stored.channels * 4);
-    const bool wide = std::ranges::any_of(samples, [](T s) { return as_16_bits(s) % 257 != 0; });
+    const bool wide = std::ranges::any_of(samples, [](uint16_t s) { return s % 257 != 0; });
     if (wide) image.low.reserve(image.rgba.capacity());
-    for (size_t at = 0; at < samples.size(); at += stored.channels) {
-        const std::span pixel = std::span(samples).subspan(at, stored.channels);
-        image.cut += std::ranges::any_of(pixel, [](T s) { return is_cut(s); });
+    for (size_t at = 0; at < samples.size(); at += stored.channels)
         for (const int channel : map) {
-            const auto value = channel < 0 ? uint16_t(65535) : as_16_bits(pixel[size_t(channel)]);
+            const uint16_t value = channel < 0 ? uint16_t(65535) : samples[at + size_t(channel)];
             image.rgba.push_back(uint8_t(value >> 8));
             if (wide) image.low.push_back(uint8_t(value));
         }
+    return image;
+}
+
+TexelImage rgba_image(const StoredImage& stored, const std::vector<float>& samples) {
+    const std::array<int, 4> map = rgba_of(stored.channels);
+    TexelImage image{stored.width, stored.height, {}};
+    image.floats.reserve(samples.size() / stored.channels * 4);
+    for (size_t at = 0; at < samples.size(); at += stored.channels) {
+        const std::span pixel = std::span(samples).subspan(at, stored.channels);
+        image.cut += std::ranges::any_of(pixel, [](float s) { return within_range(s) != s; });
+        for (const int channel : map)
+            image.floats.push_back(channel < 0 ? 1.0f : within_range(pixel[size_t(channel)]));
+        image.floats.back() = std::min(image.floats.back(), 1.0f);
     }
     return image;
 }
@@ -154,9 +155,9 @@ void check_shape(const Image& image, const std::filesystem::path& path) {
 
 } // namespace
 
-ByteImage decode_byte_image(std::span<const uint8_t> file, const std::string& name,
-                            uint64_t max_pixels) {
-    return guarded(name, [&]() -> ByteImage {
+TexelImage decode_texels(std::span<const uint8_t> file, const std::string& name,
+                         uint64_t max_pixels) {
+    return guarded(name, [&]() -> TexelImage {
         StoredImage stored = decode(file, name, max_pixels);
         return std::visit([&](auto& samples) { return rgba_image(stored, std::move(samples)); },
                           stored.samples);

@@ -34,11 +34,11 @@ Image read_exr(const std::filesystem::path& path, const std::vector<std::string>
 /// The text attributes of a PNG's or OpenEXR's header; throws InputError like read_image.
 ImageMetadata read_image_metadata(const std::filesystem::path& path);
 
-/// Decodes an image file held in memory (the formats of read_image) to RGBA of 8 bits, or of 16
-/// where the file has more and they are not a copy of the first 8. `name` is used in error
-/// sentences only. Throws InputError like read_image.
-ByteImage decode_byte_image(std::span<const uint8_t> file, const std::string& name,
-                            uint64_t max_pixels = MOST_PIXELS);
+/// Decodes an image file held in memory (the formats of read_image) to RGBA of 8 bits, of 16 where
+/// the file has more and they are not a copy of the first 8, or of floats where it has those.
+/// `name` is used in error sentences only. Throws InputError like read_image.
+TexelImage decode_texels(std::span<const uint8_t> file, const std::string& name,
+                         uint64_t max_pixels = MOST_PIXELS);
 
 struct ImageSize {
     uint32_t width = 0, height = 0;
@@ -47,7 +47,7 @@ struct ImageSize {
     uint64_t pixels() const { return uint64_t(width) * height; }
 };
 
-/// What decode_byte_image would make of the file, by its header alone: takes microseconds and no
+/// What decode_texels would make of the file, by its header alone: takes microseconds and no
 /// memory. Throws InputError where it would, as far as the header tells.
 ImageSize image_size(std::span<const uint8_t> file, const std::string& name,
                      uint64_t max_pixels = MOST_PIXELS);

@@ -17,6 +17,11 @@ float linear_from_srgb(float encoded) {
     return std::copysign(linear, encoded);
 }
 
+float linear_sample(const TexelImage& image, size_t at, bool srgb) {
+    const float stored = image.sample(at);
+    return srgb && !image.is_linear() ? linear_from_srgb(stored) : stored;
+}
+
 float filmic(float linear) {
     // Beyond here the curve is above 1; leaving early also keeps infinity from giving inf / inf.
     constexpr float CLIP = 7.3f;

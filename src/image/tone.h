@@ -17,6 +17,9 @@ float srgb_from_linear(float linear);
 /// The inverse of srgb_from_linear.
 float linear_from_srgb(float encoded);
 
+/// A sample of a texture's picture as a linear number: `srgb` says that codes are of colours.
+float linear_sample(const TexelImage& image, size_t at, bool srgb);
+
 /// Display transforms: from linear light, of which they take what is negative or NaN for 0, to
 /// linear light in [0, 1].
 

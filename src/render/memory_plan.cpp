@@ -35,7 +35,7 @@ void check_memory(const MemoryPlan& plan, const gpu::DeviceFacts& facts) {
     if (plan.bytes() <= facts.global_memory) return;
     throw gpu::OutOfMemory(
         "the render takes {} (scene {}, paths in flight {}, film {}), but {} has {}; "
-        "use a smaller scene, --wave-size or --size",
+        "use a smaller scene, --texture-memory, --wave-size or --size",
         size_text(plan.bytes()), size_text(gpu::total_bytes(plan.scene)),
         size_text(gpu::total_bytes(plan.paths)), size_text(gpu::total_bytes(plan.film)), facts.name,
         size_text(facts.global_memory));

@@ -42,17 +42,21 @@ void check_texture(const Scene& scene, size_t i) {
     const Texture& texture = scene.textures[i];
     const int32_t same = texture.same_image_as;
     const bool earlier = same >= NO_TEXTURE && same < int64_t(i);
-    require(earlier && (same == NO_TEXTURE || !scene.textures[size_t(same)].image.rgba.empty()),
+    require(earlier && (same == NO_TEXTURE || !scene.textures[size_t(same)].image.empty()),
             "texture", i, texture.name, "the texture whose image it has too is none before it");
     const UvTransform& t = texture.transform;
     require(finite(t.offset) && finite(t.scale) && finite(t.rotation), "texture", i, texture.name,
             "its transform is not finite");
-    const ByteImage& image = image_of(scene.textures, texture);
+    const TexelImage& image = image_of(scene.textures, texture);
     require(image.width > 0 && image.height > 0, "texture", i, texture.name, "it has no pixels");
-    require(image.rgba.size() == size_t(4) * image.width * image.height, "texture", i, texture.name,
-            "its size and its pixels disagree");
+    require(image.samples() == size_t(4) * image.width * image.height &&
+                (image.rgba.empty() || image.floats.empty()),
+            "texture", i, texture.name, "its size and its pixels disagree");
     require(image.low.empty() || image.low.size() == image.rgba.size(), "texture", i, texture.name,
             "not all of its samples have 16 bits");
+    const auto is_valid = [](float sample) { return sample >= 0.0f && finite(sample); };
+    require(std::ranges::all_of(image.floats, is_valid), "texture", i, texture.name,
+            "not all of its samples are finite and at least 0");
 }
 
 bool in_range(const FieldRules& rules, float x) {

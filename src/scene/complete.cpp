@@ -1,4 +1,5 @@
 // What a scene file may leave out: a camera, and something that shines.
+#include "image/tone.h"
 #include "scene/load.h"
 #include "scene/merge.h"
 #include "scene/phong.h"
@@ -6,7 +7,6 @@
 #include "scene/studio.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -14,11 +14,11 @@ namespace onde {
 
 /// The mean of a texture's largest colour channel, linear, from every 16th texel.
 static float mean_brightness(const Scene& scene, const Texture& texture) {
-    const std::vector<uint8_t>& rgba = image_of(scene.textures, texture).rgba;
+    const TexelImage& image = image_of(scene.textures, texture);
     double sum = 0.0, count = 0.0;
-    for (size_t i = 0; i + 3 < rgba.size(); i += 4 * 16) {
-        const float value = float(std::max({rgba[i], rgba[i + 1], rgba[i + 2]})) / 255.0f;
-        sum += texture.srgb ? std::pow(value, 2.2f) : value;
+    for (size_t i = 0; i + 3 < image.samples(); i += 4 * 16) {
+        const auto channel = [&](size_t c) { return linear_sample(image, i + c, texture.srgb); };
+        sum += std::max({channel(0), channel(1), channel(2)});
         count += 1.0;
     }
     return count > 0.0 ? float(sum / count) : 0.0f;

@@ -35,6 +35,7 @@ void add(Hasher& hasher, const Texture& texture) {
     hasher.value(uint32_t(texture.srgb)).value(texture.wrap_u).value(texture.wrap_v);
     hasher.span(std::span<const uint8_t>(texture.image.rgba));
     hasher.span(std::span<const uint8_t>(texture.image.low));
+    if (texture.image.is_linear()) hasher.span(std::span<const float>(texture.image.floats));
 }
 
 template <class T>

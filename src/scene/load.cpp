@@ -6,6 +6,7 @@
 #include "scene/loaders.h"
 #include "scene/origin.h"
 #include "scene/scale.h"
+#include "scene/texture_budget.h"
 
 #include <fmt/format.h>
 
@@ -115,6 +116,9 @@ Scene load_scene(const fs::path& path, const LoadOptions& options) {
         complete_scene(scene, options, is_model(path));
         check_scene(scene); // a framing camera of a scene near the end of float's range
     });
+    if (options.texture_filter)
+        for (Texture& texture : scene.textures) texture.filter = *options.texture_filter;
+    lower_textures(scene, options.texture_memory);
     return scene;
 }
 

@@ -32,14 +32,12 @@ std::filesystem::path LoadContext::resolve(const std::filesystem::path& folder,
     return *files_.insert(path).first;
 }
 
-ByteImage decode_within(LoadContext& context, std::span<const uint8_t> file,
-                        const std::string& name) {
+TexelImage decode_within(LoadContext& context, std::span<const uint8_t> file,
+                         const std::string& name) {
     const ImageSize size = image_size(file, name);
-    const uint64_t texel = size.sample_bytes == 1 ? 4 : 8;
-    // Here and packed; floats, which are kept with 16 bits, take more for a moment.
-    const uint64_t most = size.sample_bytes == 4 ? texel + 4 * sizeof(float) : 2 * texel;
-    context.spend(size.pixels(), most, name);
-    return decode_byte_image(file, name);
+    const uint64_t texel = 4 * size.sample_bytes;
+    context.spend(size.pixels(), 2 * texel, name); // here and packed
+    return decode_texels(file, name);
 }
 
 std::string read_file_within(LoadContext& context, const std::filesystem::path& path,

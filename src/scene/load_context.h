@@ -57,9 +57,9 @@ class LoadContext {
 };
 
 /// Decodes an image that a scene file names, once its pixels are spent by what its header claims.
-/// Throws InputError as decode_byte_image() does, and OverBudget.
-ByteImage decode_within(LoadContext& context, std::span<const uint8_t> file,
-                        const std::string& name);
+/// Throws InputError as decode_texels() does, and OverBudget.
+TexelImage decode_within(LoadContext& context, std::span<const uint8_t> file,
+                         const std::string& name);
 
 /// The file's bytes, which are spent before they are read. Throws InputError as read_file() does.
 std::string read_file_within(LoadContext& context, const std::filesystem::path& path,

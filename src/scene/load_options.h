@@ -4,6 +4,7 @@
 #include "core/enum_words.h"
 #include "scene/camera.h"
 #include "scene/light.h"
+#include "scene/material.h"
 
 #include <glm/glm.hpp>
 
@@ -42,6 +43,8 @@ struct LoadOptions {
     bool strict = false;          ///< refuse what would be repaired or dropped with a note
     std::filesystem::path root{}; ///< folder that references may not leave; empty: the file's own
     uint64_t limit = 0;           ///< bytes that a whole load may take; 0: a quarter of the memory
+    std::optional<TextureFilter> texture_filter{}; ///< of all textures, else each one's own
+    uint64_t texture_memory = UINT64_MAX; ///< bytes on the device that textures are lowered to
 
     // Of glTF files; a name, or a number from 0. Empty: the default.
     std::optional<double> at{}; ///< seconds of the animation; else the rest pose

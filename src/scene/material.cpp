@@ -10,7 +10,7 @@ glm::vec2 UvTransform::operator()(glm::vec2 uv) const {
     return glm::vec2(c * scaled.x + s * scaled.y, c * scaled.y - s * scaled.x) + offset;
 }
 
-const ByteImage& image_of(const std::vector<Texture>& textures, const Texture& texture) {
+const TexelImage& image_of(const std::vector<Texture>& textures, const Texture& texture) {
     return texture.same_image_as == NO_TEXTURE ? texture.image
                                                : textures[size_t(texture.same_image_as)].image;
 }

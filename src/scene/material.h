@@ -22,11 +22,13 @@ constexpr auto enum_words(Wrap) {
                       EnumWord{Wrap::mirror, "mirror"}};
 }
 
-enum class TextureFilter : uint32_t { linear, nearest };
+/// mip: linear, in a coarser level of the picture where the camera sees many texels in a pixel.
+enum class TextureFilter : uint32_t { linear, nearest, mip };
 
 constexpr auto enum_words(TextureFilter) {
     return std::array{EnumWord{TextureFilter::linear, "linear"},
-                      EnumWord{TextureFilter::nearest, "nearest"}};
+                      EnumWord{TextureFilter::nearest, "nearest"},
+                      EnumWord{TextureFilter::mip, "mip"}};
 }
 
 inline constexpr int32_t NO_TEXTURE = -1;
@@ -46,7 +48,7 @@ struct UvTransform {
 /// (alpha never does).
 struct Texture {
     std::string name;
-    ByteImage image; ///< no pixels where it is another texture's; see image_of()
+    TexelImage image; ///< no pixels where it is another texture's; see image_of()
     bool srgb = true;
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
@@ -57,7 +59,7 @@ struct Texture {
 };
 
 /// The picture of a texture, its own or another's.
-const ByteImage& image_of(const std::vector<Texture>& textures, const Texture& texture);
+const TexelImage& image_of(const std::vector<Texture>& textures, const Texture& texture);
 
 enum class MaterialKind : uint32_t {
     diffuse,    ///< Lambert: base_color is the albedo

@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/shown.h"
-#include "image/tone.h"
 
 #include <algorithm>
 #include <charconv>
@@ -63,25 +62,8 @@ TextureUse use_of(const Texture& t) {
     return {t.srgb, t.wrap_u, t.wrap_v, t.filter, t.uv_set, t.transform};
 }
 
-/// Colours of textures are kept as sRGB.
-static void encode_colors(ByteImage& image) {
-    if (image.low.empty()) image.low = image.rgba;
-    for (size_t i = 0; i < image.rgba.size(); ++i) {
-        if (i % 4 == 3) continue; // alpha is linear
-        const float value = srgb_from_linear(float(image.wide(i)) / 65535.0f);
-        const auto encoded = uint32_t(value * 65535.0f + 0.5f);
-        image.rgba[i] = uint8_t(encoded >> 8);
-        image.low[i] = uint8_t(encoded);
-    }
-}
-
-bool can_share(const Texture& texture, const ByteImage& image, const TextureUse& use) {
-    return !image.from_floats || texture.srgb == use.srgb;
-}
-
-int32_t add_texture(std::vector<Texture>& textures, std::string name, ByteImage image,
+int32_t add_texture(std::vector<Texture>& textures, std::string name, TexelImage image,
                     const TextureUse& use, int32_t same_image_as) {
-    if (use.srgb && image.from_floats) encode_colors(image);
     textures.push_back({std::move(name), std::move(image), use.srgb, use.wrap_u, use.wrap_v,
                         use.filter, use.uv_set, use.transform, same_image_as});
     return int32_t(textures.size() - 1);
@@ -106,22 +88,19 @@ int32_t add_texture_file(Scene& scene, LoadContext& context, const fs::path& fol
     };
     const auto found = std::ranges::find_if(textures, same);
     if (found != textures.end()) return int32_t(found - textures.begin());
-    const auto known = std::ranges::find_if(textures, [&](const Texture& texture) {
-        return texture.name == path.string() &&
-               can_share(texture, image_of(textures, texture), use);
-    });
+    const auto known = std::ranges::find(textures, path.string(), &Texture::name);
     if (known != textures.end()) {
         const bool shares = known->same_image_as != NO_TEXTURE;
         const int32_t owner = shares ? known->same_image_as : int32_t(known - textures.begin());
         return add_texture(textures, path.string(), {}, use, owner);
     }
     const std::string bytes = read_file_within(context, path);
-    ByteImage image = decode_within(
+    TexelImage image = decode_within(
         context, {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, path.string());
     if (image.cut > 0)
         scene.notes.push_back(fmt::format(
             "{} pixels of the texture {} are negative, infinite or no numbers; they count as 0, or "
-            "as 1 where they are infinite.",
+            "as 65504 where they are infinite.",
             image.cut, printable(path.filename().string())));
     return add_texture(textures, path.string(), std::move(image), use);
 }

@@ -33,13 +33,9 @@ struct TextureUse {
 
 TextureUse use_of(const Texture& texture);
 
-/// Whether another use may have the image of a texture: floats, which are linear, are kept as sRGB
-/// where colours are wanted, so that colours and data share none.
-bool can_share(const Texture& texture, const ByteImage& image, const TextureUse& use);
-
 /// Adds a texture to a list: of another's picture where `same_image_as` names one, else of `image`.
 /// Returns its index.
-int32_t add_texture(std::vector<Texture>& textures, std::string name, ByteImage image,
+int32_t add_texture(std::vector<Texture>& textures, std::string name, TexelImage image,
                     const TextureUse& use, int32_t same_image_as = NO_TEXTURE);
 
 /// The file of a texture, which is not read. Throws InputError when it is missing or outside of the

@@ -35,7 +35,8 @@ Session::Session(gpu::Programs& programs, Scene scene, SessionOptions options)
         options_.bvh.layout =
             suitable_layout(programs_, [&](std::string sentence) { note(std::move(sentence)); });
     const Timer timer;
-    PackedScene packed = pack_scene(scene_, options_.bvh, options_.lights);
+    PackedScene packed = pack_scene(scene_, options_.bvh, options_.lights,
+                                    {.largest_buffer = device().facts().max_allocation});
     pack_seconds_ = timer.seconds();
     packed.features = features_of(packed);
     fit_waves(packed);
@@ -74,6 +75,8 @@ SceneFeatures Session::features_of(const PackedScene& packed) const {
     features.layout = packed.features.layout;
     features.light_tree = packed.features.light_tree;
     features.motion = packed.features.motion;
+    features.split_texels = packed.features.split_texels;
+    features.mip_textures = packed.features.mip_textures;
     return options_.further_features ? joined(features, *options_.further_features) : features;
 }
 

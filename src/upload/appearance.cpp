@@ -1,6 +1,5 @@
 #include "upload/appearance.h"
 
-#include "core/error.h"
 #include "scene/light_groups.h"
 #include "scene/phong.h"
 #include "upload/albedo_tables.h"
@@ -10,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <set>
 
 namespace onde {
 
@@ -20,10 +17,10 @@ static uint32_t texture_index(int32_t index) {
 }
 
 /// The smallest alpha of a picture.
-static float least_alpha(const ByteImage& image) {
-    uint32_t least = 65535;
-    for (size_t i = 3; i < image.rgba.size(); i += 4) least = std::min(least, image.wide(i));
-    return float(least) / 65535.0f;
+static float least_alpha(const TexelImage& image) {
+    float least = 1.0f;
+    for (size_t i = 3; i < image.samples(); i += 4) least = std::min(least, image.sample(i));
+    return least;
 }
 
 /// The smallest alpha of the vertices of each material's triangles.
@@ -207,74 +204,6 @@ PackedMaterials pack_materials(const Scene& scene) {
     }
     packed.albedos = std::move(albedos).words();
     return packed;
-}
-
-std::vector<uint32_t> used_uv_sets(const Scene& scene) {
-    std::set<uint32_t> sets;
-    for (const Texture& texture : scene.textures) sets.insert(texture.uv_set);
-    if (sets.empty()) sets.insert(0);
-    return {sets.begin(), sets.end()};
-}
-
-/// All of a record but the place and size of its texels.
-static TextureRecord texture_record(const Texture& texture, const std::vector<uint32_t>& sets) {
-    TextureRecord record{};
-    record.wrap_u = uint32_t(texture.wrap_u);
-    record.wrap_v = uint32_t(texture.wrap_v);
-    record.filter = uint32_t(texture.filter);
-    record.uv_set = uint32_t(std::ranges::find(sets, texture.uv_set) - sets.begin());
-    const glm::vec2 origin = texture.transform({0, 0});
-    const glm::vec2 x = texture.transform({1, 0}) - origin, y = texture.transform({0, 1}) - origin;
-    copy(record.u, glm::vec3(x.x, y.x, origin.x));
-    copy(record.v, glm::vec3(x.y, y.y, origin.y));
-    return record;
-}
-
-/// Appends RGBA bytes as words; returns the index of the first.
-static uint32_t append(std::vector<uint32_t>& texels, const std::vector<uint8_t>& rgba) {
-    const size_t offset = texels.size();
-    texels.resize(offset + rgba.size() / 4);
-    if (!rgba.empty()) std::memcpy(&texels[offset], rgba.data(), rgba.size());
-    return uint32_t(offset);
-}
-
-PackedTextures pack_textures(const Scene& scene) {
-    static_assert(uint32_t(TextureFilter::nearest) == FILTER_NEAREST);
-    PackedTextures packed;
-    uint64_t bytes = 0;
-    for (const Texture& texture : scene.textures) bytes += texture.image.bytes();
-    if (bytes / 4 > UINT32_MAX)
-        throw InputError("all textures together exceed 2^32 texels; use smaller ones");
-    packed.texels.reserve(bytes / 4); // growing would take half as much again
-    const std::vector<uint32_t> sets = used_uv_sets(scene);
-    for (const Texture& texture : scene.textures) {
-        TextureRecord record = texture_record(texture, sets);
-        if (texture.same_image_as != NO_TEXTURE) {
-            const TextureRecord& same = packed.records[size_t(texture.same_image_as)];
-            record.offset = same.offset;
-            record.low = same.low;
-            record.width = same.width;
-            record.height = same.height;
-            packed.records.push_back(record);
-            continue;
-        }
-        const ByteImage& image = texture.image;
-        record.offset = append(packed.texels, image.rgba);
-        record.low = image.low.empty() ? record.offset : append(packed.texels, image.low);
-        record.width = image.width;
-        record.height = image.height;
-        packed.records.push_back(record);
-    }
-    return packed;
-}
-
-std::vector<float> srgb_table() {
-    std::vector<float> table(256);
-    for (int i = 0; i < 256; i++) {
-        const double c = i / 255.0;
-        table[size_t(i)] = float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-    }
-    return table;
 }
 
 } // namespace onde

@@ -32,6 +32,12 @@ uint32_t DeviceScene::bind(gpu::Kernel& kernel, uint32_t first) const {
     if (packed_.features.motion) {
         MOTION_BUFFERS(ONDE_BIND)
     }
+    if (packed_.features.split_texels) {
+        MORE_TEXEL_BUFFERS(ONDE_BIND)
+    }
+    if (packed_.features.mip_textures) {
+        MIP_BUFFERS(ONDE_BIND)
+    }
 #undef ONDE_BIND
     return next;
 }

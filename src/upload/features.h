@@ -28,7 +28,10 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(uint32_t, uv_sets, 1, UV_SETS, data) /* of texture coordinates */                      \
     FEATURE(bool, texture_transforms, false, TEXTURE_TRANSFORMS, either)                           \
     FEATURE(bool, nearest_filters, false, NEAREST_FILTERS, either)                                 \
-    FEATURE(bool, wide_textures, false, WIDE_TEXTURES, either) /* some have 16-bit samples */      \
+    FEATURE(bool, wide_textures, false, WIDE_TEXTURES, either)   /* of more than 8 bits */         \
+    FEATURE(bool, float_textures, false, FLOAT_TEXTURES, either) /* some have floats */            \
+    FEATURE(bool, mip_textures, false, MIP_TEXTURES, data)       /* some have coarser levels */    \
+    FEATURE(bool, split_texels, false, SPLIT_TEXELS, data)       /* in several buffers */          \
     FEATURE(bool, vertex_colors, false, VERTEX_COLORS, data)                                       \
     FEATURE(bool, alpha, false, ALPHA, either)     /* some surface lets rays pass */               \
     FEATURE(bool, culling, false, CULLING, either) /* cameras see through the back of some */      \

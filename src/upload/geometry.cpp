@@ -1,8 +1,9 @@
 #include "upload/geometry.h"
 
-#include "upload/appearance.h"
+#include "scene/texture_levels.h"
 #include "upload/emissive.h"
 #include "upload/mesh_writer.h"
+#include "upload/textures.h"
 #include "upload/words.h"
 
 #include <map>
@@ -138,6 +139,7 @@ FlatGeometry flatten_geometry(const Scene& scene) {
     for (size_t i = 0; i < scene.shapes.size(); i++)
         shapes.add(scene.shapes[i], uint32_t(first_shape + i));
     if (!flat.bulges.empty()) flat.bulges.resize(flat.surfaces.size());
+    if (has_mip_textures(scene)) flat.uv_scales.resize(flat.surfaces.size());
     return flat;
 }
 

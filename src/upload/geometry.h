@@ -21,6 +21,7 @@ struct FlatGeometry {
     std::vector<Placement> placements;
     std::vector<SurfaceRecord> surfaces; ///< by primitive id
     std::vector<uint32_t> bulges;        ///< likewise, empty where no triangle is curved
+    std::vector<float> uv_scales;        ///< likewise, empty where no texture has coarser levels
     std::vector<VertexRecord> vertices;  ///< the first: of triangles that have none of their own
     /// By index of the vertex, each empty where the scene does not need it; see SCENE_BUFFERS.
     std::vector<float> uvs;

@@ -3,8 +3,8 @@
 #include "scene/light_groups.h"
 #include "scene/load.h"
 #include "upload/alias_table.h"
-#include "upload/appearance.h"
 #include "upload/light_tree.h"
+#include "upload/textures.h"
 #include "upload/words.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ double mean_texture(const Scene& scene, int32_t index, const FlatGeometry& flat,
     constexpr int STEPS = 12;
     static const std::vector<float> linear = srgb_table();
     const Texture& texture = scene.textures[size_t(index)];
-    const ByteImage& image = image_of(scene.textures, texture);
+    const TexelImage& image = image_of(scene.textures, texture);
     const auto texel = [&](float t, uint32_t size) {
         return std::min(uint32_t((t - std::floor(t)) * float(size)), size - 1);
     };
@@ -66,8 +66,11 @@ double mean_texture(const Scene& scene, int32_t index, const FlatGeometry& flat,
             const glm::vec2 at_uv = uv[0] * (1 - b1 - b2) + uv[1] * b1 + uv[2] * b2;
             const size_t at =
                 size_t(texel(at_uv.y, image.height)) * image.width + texel(at_uv.x, image.width);
-            const uint8_t* rgba = &image.rgba[4 * at];
-            sum += luminance({linear[rgba[0]], linear[rgba[1]], linear[rgba[2]]});
+            const auto channel = [&](size_t c) {
+                return image.is_linear() ? image.floats[4 * at + c]
+                                         : linear[image.rgba[4 * at + c]];
+            };
+            sum += luminance({channel(0), channel(1), channel(2)});
         }
     return sum / count;
 }

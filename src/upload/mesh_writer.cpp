@@ -3,6 +3,7 @@
 #include "upload/bulge.h"
 #include "upload/octahedral.h"
 #include "upload/triangle_plane.h"
+#include "upload/uv_scale.h"
 #include "upload/words.h"
 
 namespace onde {
@@ -80,6 +81,16 @@ void MeshWriter::add_bulge(const Mesh& mesh, glm::uvec3 corners, const glm::vec3
     flat_.bulges.back() = encode_bulge(p, normals, geometric);
 }
 
+void MeshWriter::add_uv_scale(const TriangleSurface& surface, const glm::vec3 (&p)[3]) {
+    glm::vec2 uvs[3];
+    for (uint32_t k = 0; k < 3; k++) {
+        const float* uv = flat_.vertices[surface.vertex[k]].uv;
+        uvs[k] = {uv[0], uv[1]};
+    }
+    flat_.uv_scales.resize(flat_.surfaces.size() + 1);
+    flat_.uv_scales.back() = uv_scale(p, uvs);
+}
+
 void MeshWriter::add_surface(const Mesh& mesh, size_t triangle) {
     const glm::uvec3 corners = mesh.triangles[triangle];
     glm::vec3 p[3];
@@ -102,6 +113,7 @@ void MeshWriter::add_surface(const Mesh& mesh, size_t triangle) {
         }
     }
     if (!flat) add_bulge(mesh, corners, p, geometric);
+    if (has_uv_scales_) add_uv_scale(surface, p);
     surface.tag = material | SURFACE_REACH(plane.reach) | (flat ? SURFACE_FLAT : 0);
     if (emits(scene_.materials[material]))
         flat_.emissive.push_back(emissive_triangle(primitive, material, p, orientation_));

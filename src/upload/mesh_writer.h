@@ -1,6 +1,7 @@
 // Meshes as triangles and vertices of a geometry.
 #pragma once
 
+#include "scene/texture_levels.h"
 #include "upload/vertex_attributes.h"
 
 #include <map>
@@ -15,7 +16,7 @@ class MeshWriter {
     MeshWriter(const Scene& scene, FlatGeometry& flat, std::vector<glm::vec3>& positions,
                std::vector<glm::uvec3>& triangles)
         : scene_(scene), flat_(flat), positions_(positions), triangles_(triangles),
-          attributes_(scene, flat) {}
+          attributes_(scene, flat), has_uv_scales_(has_mip_textures(scene)) {}
 
     void add(const Mesh& mesh, const glm::mat4& transform);
 
@@ -39,6 +40,9 @@ class MeshWriter {
     void add_bulge(const Mesh& mesh, glm::uvec3 corners, const glm::vec3 (&p)[3],
                    glm::vec3 geometric);
 
+    /// How much the coordinates of its first set grow.
+    void add_uv_scale(const TriangleSurface& surface, const glm::vec3 (&p)[3]);
+
     void add_surface(const Mesh& mesh, size_t triangle);
 
     const Scene& scene_;
@@ -46,6 +50,7 @@ class MeshWriter {
     std::vector<glm::vec3>& positions_;
     std::vector<glm::uvec3>& triangles_;
     VertexAttributes attributes_;
+    bool has_uv_scales_;
     // Of the mesh that is being added.
     glm::mat3 linear_{1.0f}, normal_matrix_{1.0f};
     std::vector<glm::vec4> tangents_; ///< by corner of its triangles, or empty

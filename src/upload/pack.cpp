@@ -68,7 +68,12 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     for (const Texture& texture : scene.textures) {
         features.texture_transforms |= texture.transform != UvTransform{};
         features.nearest_filters |= texture.filter == TextureFilter::nearest;
-        features.wide_textures |= !texture.image.low.empty();
+    }
+    for (const TextureRecord& texture : packed.textures) {
+        features.wide_textures |= texture.format != TEXEL_BYTES;
+        features.float_textures |= texture.format >= TEXEL_HALVES;
+        features.split_texels |= texture.buffer > 0;
+        features.mip_textures |= texture.coarser != NO_INDEX;
     }
     features.vertex_colors = !packed.colors.empty();
     features.common_lobes = ~0u;
@@ -103,6 +108,11 @@ std::vector<gpu::BufferSize> PackedScene::device_buffers() const {
     return sizes;
 }
 
+uint64_t PackedScene::texture_bytes() const {
+    const size_t words = texels.size() + texels1.size() + texels2.size() + texels3.size();
+    return words * sizeof(uint32_t) + textures.size() * sizeof(TextureRecord);
+}
+
 static void build_tree(PackedScene& packed, const FlatGeometry& flat, const BvhOptions& options) {
     packed.bvh = build_bvh(flat.geometries, flat.placements, options);
     packed.built_cost = packed.bvh.statistics.sah_cost;
@@ -133,11 +143,22 @@ static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry 
     static_cast<MotionArrays&>(packed) = pack_motion(scene, flat);
     packed.surfaces = std::move(flat.surfaces);
     packed.bulges = std::move(flat.bulges);
+    packed.uv_scales = std::move(flat.uv_scales);
     packed.vertices = std::move(flat.vertices);
     packed.uvs = std::move(flat.uvs);
     packed.colors = std::move(flat.colors);
     packed.tangents = std::move(flat.tangents);
     packed.objects = std::move(flat.objects);
+}
+
+static void put_textures(PackedScene& packed, PackedTextures textures) {
+    static_assert(TEXEL_BUFFER_COUNT == 4);
+    packed.textures = std::move(textures.records);
+    packed.texels = std::move(textures.texels[0]);
+    packed.texels1 = std::move(textures.texels[1]);
+    packed.texels2 = std::move(textures.texels[2]);
+    packed.texels3 = std::move(textures.texels[3]);
+    packed.srgb = srgb_table();
 }
 
 static void put_environment(PackedScene& packed, PackedEnvironment environment) {
@@ -155,7 +176,8 @@ void take_next_view(PackedScene& packed, const Scene& scene) {
     packed.next_environment_rotation = scene.next->environment_rotation;
 }
 
-PackedScene pack_scene(const Scene& scene, const BvhOptions& options, const LightOptions& lights) {
+PackedScene pack_scene(const Scene& scene, const BvhOptions& options, const LightOptions& lights,
+                       const TextureOptions& textures) {
     if (scene.materials.size() > MOST_MATERIALS)
         throw InputError("the scene has {} materials; at most {} can be told apart",
                          scene.materials.size(), MOST_MATERIALS);
@@ -164,10 +186,7 @@ PackedScene pack_scene(const Scene& scene, const BvhOptions& options, const Ligh
     build_tree(packed, flat, options);
     pack_geometry(packed, scene, std::move(flat), lights.sampler);
     pack_appearance(packed, scene);
-    PackedTextures textures = pack_textures(scene);
-    packed.textures = std::move(textures.records);
-    packed.texels = std::move(textures.texels);
-    packed.srgb = srgb_table();
+    put_textures(packed, pack_textures(scene, textures));
     put_environment(packed, pack_environment(scene.environment, lights.compensation));
     packed.ground_share = ground_share(scene);
     packed.ground_height = scene.environment.ground.value_or(packed.ground_height);

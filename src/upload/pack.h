@@ -10,6 +10,7 @@
 #include "upload/features.h"
 #include "upload/lights.h"
 #include "upload/motion.h"
+#include "upload/textures.h"
 
 #include <limits>
 #include <optional>
@@ -18,15 +19,19 @@
 
 namespace onde {
 
-/// The arrays of SCENE_BUFFERS in shared/scene.h.
+/// The arrays of SCENE_BUFFERS, MORE_TEXEL_BUFFERS and MIP_BUFFERS in shared/scene.h.
 struct SceneArrays {
 #define ONDE_ARRAY(Type, name, words) std::vector<Type> name;
     SCENE_BUFFERS(ONDE_ARRAY)
+    MORE_TEXEL_BUFFERS(ONDE_ARRAY)
+    MIP_BUFFERS(ONDE_ARRAY)
 #undef ONDE_ARRAY
 };
 
 /// All that may be on the device, beside the tree.
-#define PACKED_BUFFERS(BUFFER) SCENE_BUFFERS(BUFFER) MOTION_BUFFERS(BUFFER)
+#define PACKED_BUFFERS(BUFFER)                                                                     \
+    SCENE_BUFFERS(BUFFER)                                                                          \
+    MOTION_BUFFERS(BUFFER) MORE_TEXEL_BUFFERS(BUFFER) MIP_BUFFERS(BUFFER)
 
 struct PackedScene : SceneArrays, MotionArrays {
     Bvh bvh;
@@ -49,11 +54,13 @@ struct PackedScene : SceneArrays, MotionArrays {
     std::vector<gpu::BufferSize> device_buffers() const;
     /// Their sum.
     uint64_t device_bytes() const { return gpu::total_bytes(device_buffers()); }
+    /// What of it textures take.
+    uint64_t texture_bytes() const;
 };
 
 /// The scene must satisfy check_scene().
 PackedScene pack_scene(const Scene& scene, const BvhOptions& options = {},
-                       const LightOptions& lights = {});
+                       const LightOptions& lights = {}, const TextureOptions& textures = {});
 
 /// Takes over how the scene is seen at the next frame.
 void take_next_view(PackedScene& packed, const Scene& scene);

@@ -1,8 +1,8 @@
 #include "upload/vertex_attributes.h"
 
-#include "upload/appearance.h"
 #include "upload/octahedral.h"
 #include "upload/tangents.h"
+#include "upload/textures.h"
 
 namespace onde {
 

@@ -267,10 +267,10 @@ TEST_CASE("--aov alpha writes the matte that a transparent background gives the 
     REQUIRE(outcome.code == 0);
     const auto image_of = [&](const char* name) {
         const std::string bytes = content(folder / name);
-        return onde::decode_byte_image(
-            {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, name);
+        return onde::decode_texels({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()},
+                                   name);
     };
-    const onde::ByteImage picture = image_of("a.png"), matte = image_of("a.alpha.png");
+    const onde::TexelImage picture = image_of("a.png"), matte = image_of("a.alpha.png");
     std::set<uint8_t> seen;
     for (size_t i = 0; i < picture.rgba.size(); i += 4) {
         CHECK(std::abs(int(matte.rgba[i]) - int(picture.rgba[i + 3])) <= 1);

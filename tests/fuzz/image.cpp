@@ -18,7 +18,7 @@ void read_safely(Read read) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     constexpr uint64_t MOST_PIXELS = uint64_t(1) << 20; // more only takes longer
-    read_safely([&] { onde::decode_byte_image({data, size}, "image", MOST_PIXELS); });
+    read_safely([&] { onde::decode_texels({data, size}, "image", MOST_PIXELS); });
     const auto file = onde::fuzz::write("image", onde::fuzz::text(data, size));
     read_safely([&] { onde::read_image(file, MOST_PIXELS); });
     read_safely([&] { onde::read_image_metadata(file); });

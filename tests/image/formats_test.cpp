@@ -39,8 +39,8 @@ std::span<const uint8_t> bytes_of(const std::string& file) {
     return {reinterpret_cast<const uint8_t*>(file.data()), file.size()};
 }
 
-ByteImage decode(const std::string& file) {
-    return decode_byte_image(bytes_of(file), "a picture");
+TexelImage decode(const std::string& file) {
+    return decode_texels(bytes_of(file), "a picture");
 }
 
 std::string text_of(const std::vector<uint8_t>& bytes) {
@@ -58,12 +58,11 @@ void check_reads(const std::string& file, const std::vector<uint8_t>& rgba, size
     const ImageSize size = image_size(bytes_of(file), "a picture");
     CHECK(size.width == WIDTH);
     CHECK(size.height == HEIGHT);
-    const ByteImage image = decode(file);
+    const TexelImage image = decode(file);
     CHECK(image.width == WIDTH);
     CHECK(image.height == HEIGHT);
     CHECK(image.rgba == rgba);
-    CHECK_THROWS_WITH(decode_byte_image(bytes_of(file), "a picture", 5),
-                      Catch::Contains("limit of 5"));
+    CHECK_THROWS_WITH(decode_texels(bytes_of(file), "a picture", 5), Catch::Contains("limit of 5"));
     for (size_t cut = 0; cut + spare < file.size(); ++cut) {
         INFO(cut << " of " << file.size() << " bytes");
         CHECK_THROWS_AS(decode(file.substr(0, cut)), InputError);
@@ -207,7 +206,7 @@ TEST_CASE("WebP is read with its alpha") {
 
 TEST_CASE("JPEG is read in colour, grey and four inks") {
     const std::vector<uint8_t> grey{0, 60, 120, 180, 240, 255};
-    const ByteImage picture = decode(jpeg_file(grey, 1, JCS_GRAYSCALE));
+    const TexelImage picture = decode(jpeg_file(grey, 1, JCS_GRAYSCALE));
     for (size_t i = 0; i < grey.size(); ++i)
         CHECK(picture.rgba[4 * i] == Approx(grey[i]).margin(2));
     std::vector<uint8_t> flat, inks;
@@ -217,7 +216,7 @@ TEST_CASE("JPEG is read in colour, grey and four inks") {
     }
     for (const std::string& file :
          {jpeg_file(flat, 3, JCS_RGB, 8, 8), jpeg_file(inks, 4, JCS_CMYK, 8, 8)}) {
-        const ByteImage colour = decode(file);
+        const TexelImage colour = decode(file);
         CHECK(colour.width == 8);
         const bool adobe = file.find("Adobe") != std::string::npos;
         const int expected = adobe ? 0 : 200; // libjpeg marks inks as Adobe's: no light at K 0
@@ -234,17 +233,17 @@ TEST_CASE("TIFF is read in 8 bits, 16 bits and floats, packed or not") {
     check_reads(tiff_file(folder, RGB, 3, SAMPLEFORMAT_UINT), opaque(RGB));
     check_reads(tiff_file(folder, RGBA, 4, SAMPLEFORMAT_UINT, COMPRESSION_LZW), RGBA);
     const std::vector<uint16_t> grey16{0, 257, 65535, 32896, 514, 25700};
-    const ByteImage bytes = decode(tiff_file(folder, grey16, 1, SAMPLEFORMAT_UINT));
+    const TexelImage bytes = decode(tiff_file(folder, grey16, 1, SAMPLEFORMAT_UINT));
     CHECK(bytes.rgba[4] == 1);
     CHECK(bytes.low.empty()); // they only repeat the higher bytes
     const std::vector<uint16_t> rgb16{0, 1, 65535, 300, 258, 9, 1, 2, 3,
                                       4, 5, 6,     7,   8,   9, 0, 1, 65534};
     const std::string file = tiff_file(folder, rgb16, 3, SAMPLEFORMAT_UINT);
-    const ByteImage wide = decode(file);
+    const TexelImage wide = decode(file);
     CHECK(image_size(bytes_of(file), "a picture").sample_bytes == 2);
     for (size_t pixel = 0; pixel < 6; ++pixel) {
-        for (size_t c = 0; c < 3; ++c) CHECK(wide.wide(4 * pixel + c) == rgb16[3 * pixel + c]);
-        CHECK(wide.wide(4 * pixel + 3) == 65535);
+        for (size_t c = 0; c < 3; ++c) CHECK(wide.code(4 * pixel + c) == rgb16[3 * pixel + c]);
+        CHECK(wide.code(4 * pixel + 3) == 65535);
     }
     const std::vector<float> floats{0, 1e-3f, 1, 1e4f, -2, 0.5f};
     CHECK(read(folder, tiff_file(folder, floats, 1, SAMPLEFORMAT_IEEEFP)).pixels == floats);
@@ -254,9 +253,9 @@ TEST_CASE("16-bit PNG is kept") {
     const ScratchFolder folder;
     const std::vector<uint16_t> grey{0, 257, 65535, 300, 32896, 65535};
     const std::string file = png16_file(grey);
-    const ByteImage wide = decode(file);
-    for (size_t i = 0; i < grey.size(); ++i) CHECK(wide.wide(4 * i + 1) == grey[i]);
-    CHECK(wide.wide(3) == 65535);
+    const TexelImage wide = decode(file);
+    for (size_t i = 0; i < grey.size(); ++i) CHECK(wide.code(4 * i + 1) == grey[i]);
+    CHECK(wide.code(3) == 65535);
     const Image image = read(folder, file);
     CHECK(image.channels == 1);
     CHECK(image.pixels[2] == 1.0f);
@@ -332,7 +331,7 @@ TEST_CASE("Basis Universal is transcoded, or refused by a sentence that says wha
     const auto path = onde::test::find_asset("images/ktx2/test_etc1s.ktx2");
     if (!path) return;
     try {
-        const ByteImage image = decode(onde::test::read_bytes(*path));
+        const TexelImage image = decode(onde::test::read_bytes(*path));
         CHECK(image.rgba.size() == 4 * size_t(image.width) * image.height);
     } catch (const InputError& error) {
         CHECK_THAT(error.what(), Catch::Contains("tools/basis/build.sh"));

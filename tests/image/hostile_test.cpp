@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-ByteImage decode(const std::string& file, const std::string& name = "a.png") {
-    return decode_byte_image({reinterpret_cast<const uint8_t*>(file.data()), file.size()}, name);
+TexelImage decode(const std::string& file, const std::string& name = "a.png") {
+    return decode_texels({reinterpret_cast<const uint8_t*>(file.data()), file.size()}, name);
 }
 
 /// The check sum at the end of a PNG chunk (PNG specification, annex D).
@@ -143,7 +143,7 @@ TEST_CASE("palettes, bit depths and grey all become 8-bit RGBA") {
         const auto path = find_asset(c.path);
         if (!path) continue;
         INFO(c.path);
-        const ByteImage image = decode(read_file(*path), c.path);
+        const TexelImage image = decode(read_file(*path), c.path);
         CHECK(image.width == c.width);
         CHECK(image.height == c.height);
         CHECK(image.rgba.size() == 4 * size_t(c.width) * c.height);

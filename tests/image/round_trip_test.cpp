@@ -121,8 +121,8 @@ TEST_CASE("colour under zero alpha survives, for a texture may need it") {
     image.pixels = {1, linear_from_srgb(0.6f), 0, 0};
     write_png(folder / "a.png", image, {}, {});
     const std::string file = read_file(folder / "a.png");
-    const ByteImage texture =
-        decode_byte_image({reinterpret_cast<const uint8_t*>(file.data()), file.size()}, "a.png");
+    const TexelImage texture =
+        decode_texels({reinterpret_cast<const uint8_t*>(file.data()), file.size()}, "a.png");
     CHECK(texture.rgba == std::vector<uint8_t>{255, 153, 0, 0});
 }
 

@@ -18,8 +18,10 @@ class SceneOnDevice : public doctor::SceneOnDevice {
 class SceneProbe : public doctor::SceneProbe {
   public:
     SceneProbe(const Scene& description, const std::vector<std::string>& names, uint32_t width = 1,
-               const RenderOptions& options = {}, const LightOptions& lights = {})
-        : doctor::SceneProbe(programs(), description, names, width, options, {}, lights) {}
+               const RenderOptions& options = {}, const LightOptions& lights = {},
+               const TextureOptions& textures = {})
+        : doctor::SceneProbe(programs(), description, names, width, options, {}, lights, "scene.cl",
+                             textures) {}
 };
 
 } // namespace onde::test

@@ -2,6 +2,7 @@
 #include "doctor/exact.h"
 #include "doctor/textured_scene.h"
 #include "kernels/scene_probe.h"
+#include "upload/textures.h"
 
 #include <catch2/catch.hpp>
 
@@ -50,7 +51,7 @@ TEST_CASE("samples of 16 bits keep them, beside textures of 8, at every width") 
     Scene scene = textured_scene();
     Generator generator(55);
     for (size_t t = 0; t < scene.textures.size(); t += 2) {
-        ByteImage& image = scene.textures[t].image;
+        TexelImage& image = scene.textures[t].image;
         for (size_t i = 0; i < image.rgba.size(); i++) image.low.push_back(uint8_t(generator()));
     }
     scene.textures[0].image.rgba[0] = scene.textures[0].image.low[1] = 0; // both ends of the table
@@ -61,7 +62,7 @@ TEST_CASE("samples of 16 bits keep them, beside textures of 8, at every width") 
 TEST_CASE("textures of 8 bits read the same bits beside one of 16") {
     Scene scene = textured_scene();
     SceneProbe alone(scene, {"texture"});
-    ByteImage& last = scene.textures.back().image;
+    TexelImage& last = scene.textures.back().image;
     last.low.assign(last.rgba.size(), 7);
     SceneProbe beside(scene, {"texture"});
     Generator generator(56);
@@ -70,6 +71,59 @@ TEST_CASE("textures of 8 bits read the same bits beside one of 16") {
                          uniform_column(generator, COUNT, -2, 3)};
         CHECK(first_bit_difference(beside.run("texture", in, 7), alone.run("texture", in, 7)) ==
               "");
+    }
+}
+
+TEST_CASE(
+    "floats keep their range, as halves where those hold them, beside codes, at every width") {
+    Scene scene = textured_scene();
+    Generator generator(57);
+    const auto set = [&](size_t t, auto sample) {
+        TexelImage& image = scene.textures[t].image;
+        image.floats.resize(image.rgba.size());
+        for (size_t i = 0; i < image.floats.size(); i++)
+            image.floats[i] = i % 4 == 3 ? 0.5f : sample();
+        image.rgba.clear();
+    };
+    const auto below_four = [&] { return float(generator() % 4096) / 1024; };
+    for (const size_t t : {1, 5}) set(t, below_four);
+    set(2, [&] { return below_four() + 1e-5f; });
+    set(9, [] { return 1e6f; }); // one texel
+    scene.textures[5].image.floats[1] = 0x1p-24f;
+    for (size_t i = 0; i < scene.textures[4].image.rgba.size(); i++)
+        scene.textures[4].image.low.push_back(uint8_t(generator()));
+    const PackedTextures packed = pack_textures(scene);
+    const auto format = [&](size_t t) { return packed.records[t].format; };
+    CHECK(format(0) == TEXEL_BYTES);
+    CHECK(format(1) == TEXEL_HALVES);
+    CHECK(format(2) == TEXEL_FLOATS);
+    CHECK(format(5) == TEXEL_HALVES);
+    CHECK(format(9) == TEXEL_FLOATS);
+    scene.textures[9].image.floats[0] = 2; // against which the bound is absolute
+    for (const uint32_t width : {1u, 8u, 16u}) check_look_ups(scene, width, 2e-5);
+}
+
+TEST_CASE("texels lie in several buffers where one is too small, and are read as from one") {
+    const Scene scene = textured_scene();
+    SceneProbe one(scene, {"texture"});
+    size_t most = 0; // what the largest picture takes
+    for (const Texture& texture : scene.textures) most = std::max(most, texture.image.rgba.size());
+    CHECK_THROWS_WITH(pack_textures(scene, {.largest_buffer = most / 2}),
+                      Catch::Contains("--texture-memory"));
+    const TextureOptions several{.largest_buffer = most + most / 4};
+    size_t full = 0;
+    for (const auto& texels : pack_textures(scene, several).texels) full += !texels.empty();
+    REQUIRE(full == TEXEL_BUFFER_COUNT);
+    Generator generator(58);
+    for (const uint32_t width : {1u, 8u, 16u}) {
+        SceneProbe split(scene, {"texture"}, width, {}, {}, several);
+        for (uint32_t t = 0; t < scene.textures.size(); t++) {
+            Columns in{word_column(COUNT, t), uniform_column(generator, COUNT, -2, 3),
+                       uniform_column(generator, COUNT, -2, 3)};
+            for (size_t i = 0; i < COUNT; i += 3) in[0][i] = word(uint32_t(i % 10)); // lanes differ
+            CHECK(first_bit_difference(split.run("texture", in, 7), one.run("texture", in, 7)) ==
+                  "");
+        }
     }
 }
 
@@ -90,7 +144,7 @@ TEST_CASE("the nearest texel is taken where the texture says so, under every wra
         };
         size_t wrong = 0; // next to a texel's edge rounding decides
         for (size_t i = 0; i < COUNT; i++) {
-            const ByteImage& image = texture.image;
+            const TexelImage& image = texture.image;
             const size_t texel = at(in[2][i], image.height, texture.wrap_v) * image.width +
                                  at(in[1][i], image.width, texture.wrap_u);
             wrong += std::abs(out[0][i] - image.rgba[4 * texel] / 255.0f) > 1e-6f ||

@@ -37,7 +37,7 @@ TEST_CASE("buffers that fill the device's memory exactly are accepted, one byte 
     plan.film.push_back({"ray counters", 1});
     CHECK(refusal(plan) == "the render takes 1.00 GiB (scene 256.00 MiB, paths in flight "
                            "512.00 MiB, film 256.00 MiB), but abacus has 1.00 GiB; "
-                           "use a smaller scene, --wave-size or --size");
+                           "use a smaller scene, --texture-memory, --wave-size or --size");
 }
 
 TEST_CASE("a buffer larger than the device allows is named, with what makes it smaller") {

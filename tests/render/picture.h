@@ -67,6 +67,9 @@ inline SceneFeatures all_features(const SceneFeatures& own) {
     features.texture_transforms = own.texture_transforms;
     features.nearest_filters = own.nearest_filters;
     features.wide_textures = own.wide_textures;
+    features.float_textures = own.float_textures;
+    features.split_texels = own.split_texels;
+    features.mip_textures = own.mip_textures;
     features.vertex_colors = own.vertex_colors;
     features.light_tree = own.light_tree;
     features.media = own.media;

@@ -26,8 +26,8 @@ TEST_CASE("specular-glossiness materials reflect as much when they are converted
 }
 
 TEST_CASE("textures of specular and glossiness are converted texel by texel") {
-    const ByteImage diffuse{1, 1, {128, 0, 0, 77}};
-    const ByteImage specular{2, 1, {0, 0, 0, 255, 255, 255, 255, 51}};
+    const TexelImage diffuse{1, 1, {128, 0, 0, 77}};
+    const TexelImage specular{2, 1, {0, 0, 0, 255, 255, 255, 255, 51}};
     const ConvertedTextures converted =
         convert_textures({glm::vec3(1.0f), glm::vec3(1.0f), 1.0f}, diffuse, specular);
     REQUIRE(converted.base_color.width == 2);

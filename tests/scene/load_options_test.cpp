@@ -1,5 +1,6 @@
 // What users ask of a load, whatever the format: strictness, a root folder, a limit of memory.
 #include "scene/load_context.h"
+#include "scene/mean_color.h"
 #include "scratch.h"
 
 #include <algorithm>
@@ -126,10 +127,11 @@ material = "m"
         return note.starts_with("3 pixels of the texture odd.pfm are negative, infinite");
     });
     CHECK(told == 1);
-    const ByteImage& image = scene.textures[0].image;
-    CHECK(image.wide(1) == 0);     // -0.5
-    CHECK(image.wide(4) == 65535); // infinite
-    CHECK(image.wide(8) == 0);     // no number
+    const TexelImage& image = scene.textures[0].image;
+    CHECK(image.sample(1) == 0);     // -0.5
+    CHECK(image.sample(4) == 65504); // infinite
+    CHECK(image.sample(8) == 0);     // no number
+    CHECK(image.sample(13) == 9);    // beyond white
 }
 
 TEST_CASE("floats of a texture are linear, as colours and as data") {
@@ -147,10 +149,10 @@ type = "sphere"
 material = "m"
 )"));
     const Material& m = scene.materials[0];
-    const auto value = [&](int32_t texture) {
-        return image_of(scene.textures, scene.textures[size_t(texture)]).wide(0);
-    };
-    CHECK(value(m.base_color_texture) == 48192); // 0.73536 of 65535: sRGB of 0.5
-    CHECK(m.emission_texture == m.base_color_texture);
-    CHECK(value(m.metallic_roughness_texture) == 32768);
+    CHECK(scene.textures[0].image.floats == std::vector<float>{0.5f, 0.5f, 0.5f, 1.0f});
+    CHECK(m.base_color_texture == 0);
+    CHECK(m.emission_texture == 0);
+    CHECK(scene.textures[size_t(m.metallic_roughness_texture)].same_image_as == 0);
+    CHECK(mean_color(scene, 0) == glm::vec3(0.5f));
+    CHECK(mean_color(scene, m.metallic_roughness_texture) == glm::vec3(0.5f));
 }

@@ -123,7 +123,7 @@ TEST_CASE("d, Tr and map_d let rays pass") {
         const Material& material = material_of(scene);
         CHECK(material.alpha_mode == AlphaMode::blend);
         REQUIRE(material.base_color_texture != NO_TEXTURE);
-        const ByteImage& image =
+        const TexelImage& image =
             image_of(scene.textures, scene.textures.at(size_t(material.base_color_texture)));
         CHECK(image.rgba[3] == 64); // the red of an opaque picture
         CHECK(image.rgba[2] == 255);

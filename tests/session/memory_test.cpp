@@ -1,5 +1,6 @@
 // The plan of a session's memory is what is allocated, and waves that do not fit are halved.
 #include "core/error.h"
+#include "scene/check.h"
 #include "session/small_session.h"
 
 namespace onde::test {
@@ -21,6 +22,25 @@ struct OtherDevice {
         return facts;
     }
 };
+
+/// varied_scene() with three textures of 1 MiB.
+Scene textured_scene() {
+    Scene scene = varied_scene();
+    for (Mesh& mesh : scene.meshes)
+        for (const glm::vec3& p : mesh.positions) mesh.uvs.emplace_back(p.x, p.z);
+    for (uint32_t i = 0; i < 3; i++) {
+        Texture texture;
+        texture.image.width = texture.image.height = 512;
+        for (uint32_t k = 0; k < 4 * 512 * 512; k++)
+            texture.image.rgba.push_back(uint8_t(k / 64 * 37 + 60 * i));
+        scene.textures.push_back(texture);
+    }
+    scene.materials[WHITE].base_color_texture = 0;
+    scene.materials[RED].base_color_texture = 1;
+    scene.materials[GLOW].emission_texture = 2;
+    check_scene(scene);
+    return scene;
+}
 
 } // namespace
 
@@ -68,6 +88,22 @@ TEST_CASE("waves are halved that the driver refuses though its facts allow them"
     if (device().facts().max_allocation >= uint64_t(1) << 33) return; // it takes them
     CHECK(session.options().settings.wave_size < 1u << 26);
     CHECK_THAT(session.notes().back(), Catch::Contains("waves of 67108864 paths do not fit"));
+}
+
+TEST_CASE("textures that one buffer does not hold lie in several, and make the same picture") {
+    for (const Engine engine : {Engine::wavefront, Engine::megakernel}) {
+        SessionOptions options = small_session();
+        options.render.engine = engine;
+        const std::vector<float> expected = fresh_picture(textured_scene(), options);
+        OtherDevice small(5u << 18);
+        Session session(small.programs, textured_scene(), options);
+        REQUIRE(session.packed().texels2.size() == 512 * 512);
+        CHECK(session.packed().texture_bytes() > 3u << 20);
+        CHECK(rendered(session) == expected);
+    }
+    OtherDevice smaller(1u << 19);
+    CHECK_THROWS_WITH(Session(smaller.programs, textured_scene(), small_session()),
+                      Catch::Contains("--texture-memory"));
 }
 
 TEST_CASE("a picture that does not fit is refused, whatever the waves") {

@@ -7,7 +7,7 @@
 
 namespace onde::gltf {
 
-int32_t OldMaterials::add(const Texture& like, ByteImage image, bool srgb) {
+int32_t OldMaterials::add(const Texture& like, TexelImage image, bool srgb) {
     Texture texture = like;
     texture.image = std::move(image);
     texture.srgb = srgb;
@@ -46,7 +46,7 @@ void OldMaterials::apply(const JsonReader& source, const std::string& user, Mate
     };
     const Texture of_specular = with_image(specular);
     const Texture of_diffuse = with_image(diffuse == NO_TEXTURE ? specular : diffuse);
-    const ByteImage white, &colors = diffuse == NO_TEXTURE ? white : of_diffuse.image;
+    const TexelImage white, &colors = diffuse == NO_TEXTURE ? white : of_diffuse.image;
     const uint64_t texels = uint64_t(std::max(colors.width, of_specular.image.width)) *
                             std::max(colors.height, of_specular.image.height);
     file_.context.spend(texels, 2 * 4, file_.where(user));

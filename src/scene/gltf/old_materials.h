@@ -16,7 +16,7 @@ class OldMaterials {
     void release_textures();
 
   private:
-    int32_t add(const Texture& like, ByteImage image, bool srgb);
+    int32_t add(const Texture& like, TexelImage image, bool srgb);
 
     File& file_;
     Scene& scene_;

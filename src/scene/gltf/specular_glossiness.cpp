@@ -38,13 +38,23 @@ uint8_t to_srgb(float value) {
     return to_byte(v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1.0f / 2.4f) - 0.055f);
 }
 
-/// The nearest texel of an image at a texel of one of another size; white for an empty image.
-std::array<uint8_t, 4> texel(const ByteImage& image, size_t x, size_t y, size_t width,
-                             size_t height) {
-    if (image.rgba.empty()) return {255, 255, 255, 255};
+std::array<float, 256> linear_table() {
+    std::array<float, 256> linear;
+    for (size_t i = 0; i < linear.size(); ++i) linear[i] = to_linear(float(i) / 255.0f);
+    return linear;
+}
+
+/// The nearest texel, linear, of an image at a texel of one of another size; white for an empty
+/// image.
+glm::vec4 texel(const TexelImage& image, size_t x, size_t y, size_t width, size_t height) {
+    static const std::array<float, 256> linear = linear_table();
+    if (image.empty()) return glm::vec4(1.0f);
     const size_t column = x * image.width / width, row = y * image.height / height;
-    const uint8_t* rgba = &image.rgba[4 * (row * image.width + column)];
-    return {rgba[0], rgba[1], rgba[2], rgba[3]};
+    const size_t at = 4 * (row * image.width + column);
+    if (image.is_linear())
+        return {image.floats[at], image.floats[at + 1], image.floats[at + 2], image.floats[at + 3]};
+    const uint8_t* rgba = &image.rgba[at];
+    return {linear[rgba[0]], linear[rgba[1]], linear[rgba[2]], float(rgba[3]) / 255.0f};
 }
 
 } // namespace
@@ -63,10 +73,8 @@ MetallicRoughness to_metallic_roughness(const SpecularGlossiness& source) {
     return result;
 }
 
-ConvertedTextures convert_textures(const SpecularGlossiness& factors, const ByteImage& diffuse,
-                                   const ByteImage& specular) {
-    std::array<float, 256> linear;
-    for (size_t i = 0; i < linear.size(); ++i) linear[i] = to_linear(float(i) / 255.0f);
+ConvertedTextures convert_textures(const SpecularGlossiness& factors, const TexelImage& diffuse,
+                                   const TexelImage& specular) {
     const uint32_t width = std::max({diffuse.width, specular.width, 1u});
     const uint32_t height = std::max({diffuse.height, specular.height, 1u});
     const size_t bytes = 4 * size_t(width) * height;
@@ -74,16 +82,16 @@ ConvertedTextures convert_textures(const SpecularGlossiness& factors, const Byte
                              {width, height, std::vector<uint8_t>(bytes)}};
     for (size_t y = 0, at = 0; y < height; ++y)
         for (size_t x = 0; x < width; ++x, at += 4) {
-            const auto d = texel(diffuse, x, y, width, height);
-            const auto s = texel(specular, x, y, width, height);
+            const glm::vec4 d = texel(diffuse, x, y, width, height);
+            const glm::vec4 s = texel(specular, x, y, width, height);
             SpecularGlossiness here;
-            here.diffuse = factors.diffuse * glm::vec3(linear[d[0]], linear[d[1]], linear[d[2]]);
-            here.specular = factors.specular * glm::vec3(linear[s[0]], linear[s[1]], linear[s[2]]);
-            here.glossiness = factors.glossiness * float(s[3]) / 255.0f;
+            here.diffuse = factors.diffuse * glm::vec3(d);
+            here.specular = factors.specular * glm::vec3(s);
+            here.glossiness = factors.glossiness * s.w;
             const MetallicRoughness converted = to_metallic_roughness(here);
             uint8_t* base = &result.base_color.rgba[at];
             for (size_t c = 0; c < 3; ++c) base[c] = to_srgb(converted.base_color[c]);
-            base[3] = d[3];
+            base[3] = to_byte(d.w);
             uint8_t* other = &result.metallic_roughness.rgba[at];
             other[0] = other[3] = 255;
             other[1] = to_byte(converted.roughness);

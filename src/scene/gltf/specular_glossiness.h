@@ -24,9 +24,9 @@ MetallicRoughness to_metallic_roughness(const SpecularGlossiness& source);
 /// The two textures of the converted material, of the size of the larger image; either image may be
 /// empty, which is white. `diffuse` and the colours of `specular` are sRGB.
 struct ConvertedTextures {
-    ByteImage base_color, metallic_roughness;
+    TexelImage base_color, metallic_roughness;
 };
-ConvertedTextures convert_textures(const SpecularGlossiness& factors, const ByteImage& diffuse,
-                                   const ByteImage& specular);
+ConvertedTextures convert_textures(const SpecularGlossiness& factors, const TexelImage& diffuse,
+                                   const TexelImage& specular);
 
 } // namespace onde::gltf

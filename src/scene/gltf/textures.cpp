@@ -53,7 +53,7 @@ std::optional<std::span<const uint8_t>> TextureLoader::encoded(uint32_t index,
 }
 
 /// Nothing for an image that can't be read.
-std::optional<ByteImage> TextureLoader::decode(uint32_t index, const std::string& user) {
+std::optional<TexelImage> TextureLoader::decode(uint32_t index, const std::string& user) {
     const auto bytes = encoded(index, user);
     if (!bytes) return std::nullopt;
     try {
@@ -80,8 +80,8 @@ uint32_t TextureLoader::first_of_file(uint32_t index, const std::string& user) {
 }
 
 /// The first of the texture's images that can be read; nothing, with a note, if there is none.
-std::optional<ByteImage> TextureLoader::decode_any(const TextureSource& texture,
-                                                   const std::string& user) {
+std::optional<TexelImage> TextureLoader::decode_any(const TextureSource& texture,
+                                                    const std::string& user) {
     std::vector<uint32_t> candidates{*texture.image};
     candidates.insert(candidates.end(), texture.fallbacks.begin(), texture.fallbacks.end());
     std::string tried;
@@ -124,9 +124,9 @@ int32_t TextureLoader::load(const std::optional<JsonReader>& part, std::string_v
     for (const int32_t known : loaded)
         if (use_of(scene_.textures[size_t(known)]) == use) return known;
     const ImageSource& image = at(file_, file_.document.images, *texture.image, "image", user);
-    for (const int32_t known : loaded) {
+    if (!loaded.empty()) {
+        const int32_t known = loaded.front();
         const Texture& other = scene_.textures[size_t(known)];
-        if (!can_share(other, image_of(scene_.textures, other), use)) continue;
         const int32_t owner = other.same_image_as == NO_TEXTURE ? known : other.same_image_as;
         loaded.push_back(add_texture(scene_.textures, label_of(image), {}, use, owner));
         return loaded.back();

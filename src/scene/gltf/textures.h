@@ -28,9 +28,9 @@ class TextureLoader {
 
   private:
     std::optional<std::span<const uint8_t>> encoded(uint32_t index, const std::string& user);
-    std::optional<ByteImage> decode(uint32_t index, const std::string& user);
+    std::optional<TexelImage> decode(uint32_t index, const std::string& user);
     uint32_t first_of_file(uint32_t index, const std::string& user);
-    std::optional<ByteImage> decode_any(const TextureSource& texture, const std::string& user);
+    std::optional<TexelImage> decode_any(const TextureSource& texture, const std::string& user);
 
     File& file_;
     Scene& scene_;

@@ -234,9 +234,9 @@ void Materials::mask(const Element& bsdf, Material& m, int depth) {
     const int32_t base = m.base_color_texture;
     std::vector<Texture>& textures = scene_.textures;
     const Texture& mask = textures[size_t(opacity.texture)];
-    const ByteImage picture =
-        base == NO_TEXTURE ? ByteImage{} : image_of(textures, textures[size_t(base)]);
-    ByteImage image = with_opacity(picture, image_of(textures, mask), OpacityChannel::red);
+    const TexelImage picture =
+        base == NO_TEXTURE ? TexelImage{} : image_of(textures, textures[size_t(base)]);
+    TexelImage image = with_opacity(picture, image_of(textures, mask), OpacityChannel::red);
     document_.context().spend(image.bytes(), 2, bsdf.where);
     TextureUse use = use_of(base == NO_TEXTURE ? mask : textures[size_t(base)]);
     use.srgb = true;

@@ -98,12 +98,12 @@ int32_t texture(const mtl::Map& map, bool srgb, Scene& scene, FileFinder& files,
 }
 
 /// The picture of a map, without leaving a texture in the scene for it; empty when it can't be had.
-ByteImage picture(const mtl::Map& map, Scene& scene, FileFinder& files, const std::string& folder,
-                  Notes& notes) {
+TexelImage picture(const mtl::Map& map, Scene& scene, FileFinder& files, const std::string& folder,
+                   Notes& notes) {
     const size_t before = scene.textures.size();
     const int32_t index = texture(map, true, scene, files, folder, notes);
     if (index == NO_TEXTURE) return {};
-    ByteImage image = image_of(scene.textures, scene.textures[size_t(index)]);
+    TexelImage image = image_of(scene.textures, scene.textures[size_t(index)]);
     if (scene.textures.size() > before) scene.textures.pop_back();
     return image;
 }
@@ -112,8 +112,8 @@ ByteImage picture(const mtl::Map& map, Scene& scene, FileFinder& files, const st
 void apply_opacity_map(const mtl::Material& source, Scene& scene, FileFinder& files,
                        const std::string& folder, Material& m, Notes& notes) {
     if (source.opacity_map.file.empty()) return;
-    const ByteImage opacity = picture(source.opacity_map, scene, files, folder, notes);
-    if (opacity.rgba.empty()) return;
+    const TexelImage opacity = picture(source.opacity_map, scene, files, folder, notes);
+    if (opacity.empty()) return;
     m.alpha_mode = AlphaMode::blend;
     const bool map = m.base_color_texture != NO_TEXTURE;
     const std::string base = map ? scene.textures[size_t(m.base_color_texture)].name : "white";
@@ -124,9 +124,9 @@ void apply_opacity_map(const mtl::Material& source, Scene& scene, FileFinder& fi
         m.base_color_texture = int32_t(known - scene.textures.begin());
         return;
     }
-    ByteImage color;
+    TexelImage color;
     if (map) color = image_of(scene.textures, scene.textures[size_t(m.base_color_texture)]);
-    ByteImage image = with_opacity(color, opacity);
+    TexelImage image = with_opacity(color, opacity);
     files.context().spend(image.bytes(), 1, name);
     const Wrap wrap = source.diffuse_map.clamp ? Wrap::clamp : Wrap::repeat;
     m.base_color_texture = add_texture(scene.textures, name, std::move(image), {true, wrap, wrap});

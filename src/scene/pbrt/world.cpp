@@ -186,9 +186,9 @@ void Reader::add_opacity(const Look& look, Material& material) {
     std::vector<Texture>& textures = scene_.assets().textures;
     const Texture& mask = textures[size_t(opacity->texture)];
     const int32_t base = material.base_color_texture;
-    const ByteImage color =
-        base == NO_TEXTURE ? ByteImage{} : image_of(textures, textures[size_t(base)]);
-    ByteImage image = with_opacity(color, image_of(textures, mask));
+    const TexelImage color =
+        base == NO_TEXTURE ? TexelImage{} : image_of(textures, textures[size_t(base)]);
+    TexelImage image = with_opacity(color, image_of(textures, mask));
     context_.spend(image.bytes(), 2, name_);
     const TextureUse use = use_of(base == NO_TEXTURE ? mask : textures[size_t(base)]);
     material.base_color_texture =

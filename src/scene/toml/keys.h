@@ -43,7 +43,8 @@ constexpr auto fields_of(TypeTag<TextureFile>) {
     return std::tuple{
         field("file", &T::file, "an image", {.required = true}),
         field("wrap", &T::wrap, "beyond its edges", {.absent = "the material's"}),
-        field("filter", &T::filter, "between texels"),
+        field("filter", &T::filter,
+              "between texels; `mip` takes coarser ones where many lie in a pixel"),
         field("uv_set", &T::uv_set, "of the mesh's sets of texture coordinates, from 0",
               {.range = {.low = 0, .high = 255}}),
         field("scale", &T::scale, "of the texture coordinates: the picture repeats so often"),

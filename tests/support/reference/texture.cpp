@@ -20,7 +20,7 @@ float srgb_to_linear(uint8_t code) {
     return float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
 }
 
-TextureMap::TextureMap(const Texture& texture, const ByteImage& image)
+TextureMap::TextureMap(const Texture& texture, const TexelImage& image)
     : image_(image), wrap_u_(texture.wrap_u), wrap_v_(texture.wrap_v) {
     for (size_t i = 0; i < 256; ++i)
         decode_[i] = texture.srgb ? srgb_to_linear(uint8_t(i)) : float(i) / 255.0f;

@@ -12,7 +12,7 @@ float srgb_to_linear(uint8_t code);
 
 class TextureMap {
   public:
-    TextureMap(const Texture& texture, const ByteImage& image);
+    TextureMap(const Texture& texture, const TexelImage& image);
     /// Linear rgb at uv (v downward, texel centres at half-integers), decoded before filtering.
     glm::vec3 sample(const glm::vec2& uv) const;
     /// Of all texels.
@@ -21,7 +21,7 @@ class TextureMap {
   private:
     glm::vec3 texel(int x, int y) const;
 
-    ByteImage image_;
+    TexelImage image_;
     Wrap wrap_u_, wrap_v_;
     std::array<float, 256> decode_;
 };

@@ -21,6 +21,7 @@
 #define DIMENSIONS_PER_BOUNCE 4u
 #define DIMENSION_MEDIA 0x20000000u      // and bounce: what a ray meets on its way
 #define DIMENSION_WAVELENGTH 0x3fffffffu // of light that is dispersed; no bounce has it
+#define DIMENSION_TIME 0x3ffffffeu       // x: when the path sees what moves; likewise
 
 INLINE uint bounce_dimension(uint bounce, uint which) {
     return DIMENSION_BOUNCES + bounce * DIMENSIONS_PER_BOUNCE + which;

@@ -25,7 +25,7 @@ Session::Session(gpu::Programs& programs, Scene scene, SessionOptions options)
     : programs_(programs), scene_(std::move(scene)), options_(std::move(options)) {
     check_options(options_.render);
     check_light_groups(scene_, options_.render);
-    check_screen(camera(), options_.render.width, options_.render.height);
+    check_view(camera(), options_.render);
     for (const std::string& sentence : scene_.notes) note(sentence);
     note_mapping();
     complete_next_frame();
@@ -74,6 +74,8 @@ SceneFeatures Session::features_of(const PackedScene& packed) const {
     features.layout = packed.features.layout;
     features.light_tree = packed.features.light_tree;
     features.motion = packed.features.motion;
+    features.shutter = scene_.shutter && knows_time(options_.render.integrator);
+    features.projections |= packed.features.projections;
     return options_.further_features ? joined(features, *options_.further_features) : features;
 }
 

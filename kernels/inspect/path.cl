@@ -53,9 +53,10 @@ __kernel void inspect_path(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS,
                            __global float* radiance) {
     if (count == 0 || get_global_id(0) != 0) return;
     ESTIMATOR(e);
-    const SceneView view = e.view;
+    SceneView view = e.view;
     const Sampler sampler = path_sampler(e, (natural)(0u));
     Path path = estimator_start(e, (natural)(0u));
+    TAKE_TIME(view, path)
     real3 sum = zero3();
     uint bounce = 0;
     for (bool alive = true; alive; bounce++) {
@@ -83,8 +84,9 @@ __kernel void inspect_path(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS,
     #else
             const natural way = 0u;
     #endif
+            const Estimator now = {view, e.job};
             const real3 through = estimator_transmittance(
-                e, v.connection.origin, v.connection.direction, v.connection.distance, way,
+                now, v.connection.origin, v.connection.direction, v.connection.distance, way,
                 (natural)(0u), bounce, (mask)(1));
             report->blocked = !nonzero3(through);
             arrives = mul3(v.connection.value, through);

@@ -13,6 +13,7 @@
 #define ESTIMATOR_SPLATS 1
 #define ESTIMATOR_WAYS 0
 #define ESTIMATOR_COLUMNS LIGHT_STATE
+#define ESTIMATOR_TIME COLUMN_COUNT(LIGHT_PATH_COLUMNS)
 #define ESTIMATOR_CONNECTIONS SPLAT_COLUMNS
 
 typedef LightPath State;
@@ -50,6 +51,7 @@ INLINE mask estimator_culls(State path, mask lanes) {
 
 INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint bounce,
                            mask lanes) {
+    TAKE_TIME(e.view, path)
     #if ONDE_ALPHA
     const real2 u = sampler_pair(path_sampler(e, id), passing_dimension(bounce));
     return pass_surfaces(e.view, path.origin, path.direction, hits, u.x, lanes & !lanes, lanes);
@@ -71,6 +73,7 @@ INLINE real3 estimator_transmittance(Estimator e, real3 origin, real3 direction,
 
 INLINE Step estimator_vertex(Estimator e, State path, Hits hits, natural id, uint bounce,
                              mask lanes) {
+    TAKE_TIME(e.view, path)
     return light_vertex(e.view, path, hits, path_sampler(e, id), bounce, lanes);
 }
 

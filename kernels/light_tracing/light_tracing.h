@@ -39,8 +39,14 @@ INLINE uint passing_dimension(uint bounce) {
 #else
     #define LIGHT_WAVE NO_COLUMNS
 #endif
+#if ONDE_SHUTTER
+    #define LIGHT_TIME TIME_COLUMNS
+#else
+    #define LIGHT_TIME NO_COLUMNS
+#endif
 #define LIGHT_STATE(VECTOR, REAL, NATURAL)                                                         \
-    LIGHT_PATH_COLUMNS(VECTOR, REAL, NATURAL) LIGHT_WAVE(VECTOR, REAL, NATURAL)
+    LIGHT_PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                      \
+    LIGHT_TIME(VECTOR, REAL, NATURAL) LIGHT_WAVE(VECTOR, REAL, NATURAL)
 COLUMNS_TYPE(LightPath, LIGHT_STATE);
 
 typedef struct {
@@ -62,12 +68,12 @@ INLINE Sampler light_sampler(__global const FrameRecord* frame, natural index, n
 // The environment seen by the camera: a ray from the lens out of the scene.
 INLINE Connection connect_environment(SceneView view, Emission e, real2 lens, real2 pixel) {
     __global const FrameRecord* frame = view.frame;
-    CameraLink link = camera_link_along(frame, lens_point(frame, lens), negate3(e.direction));
+    CameraLink link = link_along(view, negate3(e.direction), lens);
     real3 shown = e.shown;
     if (frame->orthographic) { // it sees one direction, which no other way would find
-        link = screen_point(frame, lens);
+        link = link_of_screen(view, lens);
         const float pmf = view.lights[frame->environment_light].pmf;
-        shown = scale3(environment_radiance(view, uniform3(frame->forward)), (real)(1.0f / pmf));
+        shown = scale3(environment_radiance(view, negate3(link.direction)), (real)(1.0f / pmf));
     }
     Connection c = connect_film(frame, link, e.position, scale3(shown, link.importance), pixel,
                                 e.infinite & link.valid);
@@ -83,7 +89,7 @@ INLINE Connection connect_light(SceneView view, Emission e, Sampler sampler) {
     const real2 lens = sampler_pair(sampler, vertex_dimension(0, VERTEX_DIMENSION_LENS));
     Connection c = no_connection();
     if_any (e.surface) {
-        const CameraLink link = camera_link(view.frame, e.position, lens);
+        const CameraLink link = link_of_point(view, e.position, lens);
         const real cosine = dot3(e.normal, link.direction);
         const real3 origin = offset_origin(e.position, e.normal, e.lift);
         c = connect_film(view.frame, link, origin, scale3(e.shown, cosine * link.importance), pixel,
@@ -104,8 +110,11 @@ OUTLINED LightVertex light_start(SceneView view, __global const LightTracingReco
     u.choice = sampler_pair(sampler, LIGHT_DIMENSION_CHOICE);
     u.point = sampler_pair(sampler, LIGHT_DIMENSION_POINT);
     u.direction = sampler_pair(sampler, LIGHT_DIMENSION_DIRECTION);
-    const Emission e = light_emit(view, setup, u, lanes);
     LightVertex result;
+#if ONDE_SHUTTER
+    result.next.time = view.bvh.time = sampler_pair(sampler, DIMENSION_TIME).x;
+#endif
+    const Emission e = light_emit(view, setup, u, lanes);
     result.connection = connect_light(view, e, sampler);
     result.next.origin = choose(e.surface, offset_origin(e.position, e.normal, e.lift), e.position);
     result.next.direction = e.direction;
@@ -132,7 +141,7 @@ INLINE real particle_factor(Vertex v, real3 incoming, real3 wi, real3 d) {
 INLINE Connection connect_surface(SceneView view, LightPath path, Vertex v, Sampler sampler,
                                   uint vertex, mask lanes) {
     const real2 lens = sampler_pair(sampler, vertex_dimension(vertex, VERTEX_DIMENSION_LENS));
-    const CameraLink link = camera_link(view.frame, v.surface.position, lens);
+    const CameraLink link = link_of_point(view, v.surface.position, lens);
     const real3 wi = to_local(v.basis, link.direction);
     real3 f = bsdf_eval(v.bsdf, v.wo, wi).value;
 #if ONDE_DISPERSION

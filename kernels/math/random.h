@@ -22,6 +22,7 @@
 #define DIMENSION_MEDIA 0x20000000u      // and bounce: what a ray meets on its way
 #define DIMENSION_CONNECTION 0x28000000u // and bounce: what a connection meets
 #define DIMENSION_WAVELENGTH 0x3fffffffu // of light that is dispersed; no bounce has it
+#define DIMENSION_TIME 0x3ffffffeu       // x: when the path sees what moves; likewise
 
 INLINE uint bounce_dimension(uint bounce, uint which) {
     return DIMENSION_BOUNCES + bounce * DIMENSIONS_PER_BOUNCE + which;

@@ -122,10 +122,12 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
 #if ESTIMATOR_CONNECTS_START
     const Step start = estimator_start(e, id, lanes);
     State state = start.next;
+    TAKE_TIME(e.view, state)
     alive = start.alive;
     connect_lanes(e, film, start.connection, id, 0, lanes, &gathered);
 #else
     State state = estimator_start(e, id);
+    TAKE_TIME(e.view, state)
 #endif
     for (uint bounce = 0; mask_bits(alive); bounce++) {
         const uint bits = mask_bits(alive);

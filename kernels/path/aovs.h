@@ -3,6 +3,7 @@
 #define ONDE_PATH_AOVS_H
 
 #include "film/aovs.h"
+#include "shade/camera_motion.h"
 #include "shade/material.h"
 #include "shade/vertex.h"
 
@@ -23,10 +24,13 @@ INLINE real3 aov_normal(SceneView view, Vertex v, real3 direction) {
     return v.surface.normal;
 }
 
-// Distance along the camera's view axis.
+// Distance along the camera's view axis; from the camera where that sees more than a plane.
 INLINE real3 aov_depth(SceneView view, Vertex v, real3 direction) {
+    #if ONDE_PROJECTIONS
+    if (is_wide(view.frame)) return splat3(v.t);
+    #endif
     const real setback = (real)(view.frame->setback);
-    return splat3(fma(v.t, dot3(direction, uniform3(view.frame->forward)), setback));
+    return splat3(fma(v.t, dot3(direction, view_axis(view)), setback));
 }
 
 // Counted from the scene's origin.

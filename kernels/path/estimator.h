@@ -13,6 +13,7 @@
 #define ESTIMATOR_SPLATS 0
 #define ESTIMATOR_WAYS ONDE_WAYS
 #define ESTIMATOR_COLUMNS PATH_STATE
+#define ESTIMATOR_TIME COLUMN_COUNT(PATH_COLUMNS)
 #if ONDE_TRAIL
     #define PATH_SHARES SHARE_COLUMNS
 #else
@@ -61,7 +62,7 @@ INLINE Sampler path_sampler(Estimator e, natural id) {
 
 // The camera rays of paths `id`.
 INLINE State estimator_start(Estimator e, natural id) {
-    return path_start(e.view.frame, job_pixel(e.job, id), path_sampler(e, id));
+    return path_start(e.view, job_pixel(e.job, id), path_sampler(e, id));
 }
 
 #if ONDE_SEEN_THROUGH
@@ -72,6 +73,7 @@ INLINE mask estimator_culls(State path, mask lanes) {
 
 INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint bounce,
                            mask lanes) {
+    TAKE_TIME(e.view, path)
     real u = (real)(0.0f);
     #if ONDE_ALPHA
     u = sampler_pair(path_sampler(e, id), bounce_dimension(bounce, DIMENSION_ROULETTE)).y;
@@ -92,6 +94,7 @@ INLINE real3 estimator_transmittance(Estimator e, real3 origin, real3 direction,
 
 INLINE Step estimator_vertex(Estimator e, State path, Hits hits, natural id, uint bounce,
                              mask lanes) {
+    TAKE_TIME(e.view, path)
     const Step step = path_vertex(e.view, path, hits, path_sampler(e, id), bounce, lanes);
 #if ONDE_GROUND
     count_rays(e.job.counters, COUNTER_SHADOW, bounce, popcount(step.tested));

@@ -3,7 +3,7 @@
 #define ONDE_PATH_MOTION_H
 
 #include "shade/camera.h"
-#include "shade/scene_view.h"
+#include "shade/placement.h"
 #include "trace/hits.h"
 
 #if ONDE_MOTION
@@ -68,6 +68,38 @@ INLINE real3 next_direction(SceneView view, real3 d) {
                  fma(turn.cosine, d.z, -turn.sine * d.x));
 }
 
+// Where a point that the rays of `found` have hit is as the shutter opens.
+INLINE real3 point_before(SceneView view, Hits hit, real3 point, mask found) {
+    #if ONDE_SHUTTER && ONDE_INSTANCES
+    Placement p = placement_of(view, choose(found, hit.instance, (natural)(BVH_NONE)));
+    if_any (p.placed) {
+        const real3 own = to_object_space(p, point);
+        view.bvh.time = (real)(0.0f);
+        p = placement_of(view, choose(found, hit.instance, (natural)(BVH_NONE)));
+        point = choose(p.placed, add3(rows_times(p.to_world, own), p.to_world_offset), point);
+    }
+    #endif
+    return point;
+}
+
+// How far a place of the film is from another one; the edges of panoramas are one.
+INLINE real3 film_step(__global const FrameRecord* frame, real2 from, real2 to) {
+    real right = to.x - from.x;
+    #if ONDE_PROJECTIONS
+    const float around = (float)(frame->width);
+    if (is_panorama(frame)) right -= around * floor(right / around + 0.5f);
+    #endif
+    return make3(right, from.y - to.y, (real)(0.0f));
+}
+
+// Whether the camera sees what lies that way at all.
+INLINE mask is_before(__global const FrameRecord* frame, real3 to) {
+    #if ONDE_PROJECTIONS
+    if (is_wide(frame)) return to.x == to.x;
+    #endif
+    return dot3(to, uniform3(frame->forward)) > 0.0f;
+}
+
 // In pixels, to the right and up, from where the middle of the lens sees what the ray has met,
 // which is at infinity where that is nothing, to where that is at the next frame; 0 where the
 // camera will have it behind itself, and for parallel rays to infinity.
@@ -76,15 +108,15 @@ INLINE real3 path_motion(SceneView view, real3 origin, real3 direction, Hits hit
     const mask found = lanes & (hit.primitive != BVH_NONE);
     real3 from = direction, to = next_direction(view, direction);
     if_any (found) {
-        const real3 point = madd3(direction, hit.t, origin);
+        const real3 point = point_before(view, hit, madd3(direction, hit.t, origin), found);
         const real3 moved = add3(point, surface_step(view, hit, point, found));
         from = choose(found, sub3(point, uniform3(now->origin)), from);
         to = choose(found, sub3(moved, uniform3(next->origin)), to);
     }
     const real2 start = film_place(now, from), end = film_place(next, to);
-    mask seen = lanes & (dot3(to, uniform3(next->forward)) > 0.0f);
+    mask seen = lanes & is_before(next, to);
     if (now->orthographic || next->orthographic) seen = found;
-    return choose(seen, make3(end.x - start.x, start.y - end.y, (real)(0.0f)), zero3());
+    return choose(seen, film_step(now, start, end), zero3());
 }
 
 #endif

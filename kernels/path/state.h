@@ -3,7 +3,7 @@
 #define ONDE_PATH_STATE_H
 
 #include "path/aovs.h"
-#include "shade/camera.h"
+#include "shade/camera_motion.h"
 #include "shade/connection.h"
 #include "shade/vertex.h"
 
@@ -32,8 +32,14 @@
 #else
     #define PATH_MEDIA NO_COLUMNS
 #endif
+#if ONDE_SHUTTER
+    #define PATH_TIME TIME_COLUMNS
+#else
+    #define PATH_TIME NO_COLUMNS
+#endif
 #define PATH_STATE(VECTOR, REAL, NATURAL)                                                          \
     PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                            \
+    PATH_TIME(VECTOR, REAL, NATURAL)                                                               \
     PATH_TRAIL(VECTOR, REAL, NATURAL)                                                              \
     PATH_RECEIVER(VECTOR, REAL, NATURAL)                                                           \
     PATH_PANES(VECTOR, REAL, NATURAL)                                                              \
@@ -72,12 +78,18 @@ INLINE real3 grouped_emission(PathVertex v) {
 #endif
 }
 
-INLINE Path path_start(__global const FrameRecord* frame, natural pixel, Sampler sampler) {
-    const CameraRay ray = camera_ray(frame, pixel, sampler);
+INLINE Path path_start(SceneView view, natural pixel, Sampler sampler) {
     Path path;
+#if ONDE_SHUTTER
+    path.time = view.bvh.time = sampler_pair(sampler, DIMENSION_TIME).x;
+#endif
+    const CameraRay ray = carried_ray(view, camera_ray(view.frame, pixel, sampler));
     path.origin = ray.origin;
     path.direction = ray.direction;
     path.throughput = splat3((real)(1.0f));
+#if ONDE_PROJECTIONS
+    path.throughput = choose(ray.shows, path.throughput, zero3());
+#endif
     path.pdf = (real)(0.0f);
 #if ONDE_PANES
     path.passed = (real)(0.0f);

@@ -81,6 +81,8 @@
     OFFSET(BvhInstance, object_to_world)                                                           \
     OFFSET(BvhInstance, root)                                                                      \
     OFFSET(BvhInstance, scale)                                                                     \
+    OFFSET(BvhInstance, steps)                                                                     \
+    OFFSET(BvhInstance, keys)                                                                      \
     OFFSET(BvhInstance, unused)                                                                    \
     SIZE(DenoiseBand)                                                                              \
     OFFSET(DenoiseBand, width)                                                                     \
@@ -101,7 +103,7 @@
     OFFSET(FrameRecord, lens_u)                                                                    \
     OFFSET(FrameRecord, aperture_turn)                                                             \
     OFFSET(FrameRecord, lens_v)                                                                    \
-    OFFSET(FrameRecord, pad2)                                                                      \
+    OFFSET(FrameRecord, projection)                                                                \
     OFFSET(FrameRecord, forward)                                                                   \
     OFFSET(FrameRecord, setback)                                                                   \
     OFFSET(FrameRecord, width)                                                                     \
@@ -121,8 +123,8 @@
     OFFSET(FrameRecord, environment_group)                                                         \
     OFFSET(FrameRecord, environment_floor)                                                         \
     OFFSET(FrameRecord, environment_scale)                                                         \
-    OFFSET(FrameRecord, pad4)                                                                      \
-    OFFSET(FrameRecord, pad5)                                                                      \
+    OFFSET(FrameRecord, fisheye_step)                                                              \
+    OFFSET(FrameRecord, camera_mover)                                                              \
     OFFSET(FrameRecord, filter_table)                                                              \
     SIZE(SpectrumKnot)                                                                             \
     OFFSET(SpectrumKnot, bend)                                                                     \

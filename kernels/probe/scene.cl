@@ -83,6 +83,13 @@ SCENE_PROBE(camera) {
     output(items, 3, ray.direction);
 }
 
+// In: film coordinates (2). Out: origin (3), direction (3).
+SCENE_PROBE(ray_through) {
+    const CameraRay ray = camera_ray_through(view.frame, input(items, 0), input(items, 1));
+    output(items, 0, ray.origin);
+    output(items, 3, ray.direction);
+}
+
 // In: uniform number. Out: offset.
 SCENE_PROBE(filter) {
     output(items, 0, filter_offset(view.frame, input(items, 0)));

@@ -1,14 +1,18 @@
-// From a pixel and a sample to a ray: pinhole, thin lens or orthographic, with an
+// From a pixel and a sample to a ray: pinhole, thin lens, orthographic or wide, with an
 // importance-sampled filter.
 #ifndef ONDE_SHADE_CAMERA_H
 #define ONDE_SHADE_CAMERA_H
 
 #include "math/random.h"
 #include "math/sampling.h"
+#include "shade/projection.h"
 #include "shared/frame.h"
 
 typedef struct {
     real3 origin, direction; // direction is unit
+#if ONDE_PROJECTIONS
+    mask shows; // else nothing is seen there
+#endif
 } CameraRay;
 
 // Offset from the pixel's centre, in pixels, distributed as the filter.
@@ -31,6 +35,12 @@ INLINE real3 camera_target(__global const FrameRecord* frame, real x, real y) {
 // length, or of parallel rays what lies by that from the middle of the screen: in pixels, y
 // downward.
 INLINE real2 film_place(__global const FrameRecord* frame, real3 to) {
+#if ONDE_PROJECTIONS
+    if (is_wide(frame)) {
+        const WidePlace place = wide_place(frame, to);
+        return make2(place.x, place.y);
+    }
+#endif
     const real3 step_x = uniform3(frame->step_x), step_y = uniform3(frame->step_y);
     real scale = 1.0f / dot3(step_x, step_x);
     if (!frame->orthographic) scale *= frame->focus_distance / dot3(to, uniform3(frame->forward));
@@ -52,13 +62,33 @@ INLINE real2 lens_place(__global const FrameRecord* frame, real2 u) {
                  out * fma(to.sine - from.sine, u.y, from.sine));
 }
 
+#if ONDE_PROJECTIONS
+    // Beyond everything: a ray that starts there, and leads on, meets nothing.
+    #define FAR_OUT 1e15f
+
+INLINE CameraRay wide_ray(__global const FrameRecord* frame, real x, real y) {
+    CameraRay ray;
+    ray.shows = wide_shows(frame, x, y);
+    ray.direction = wide_direction(frame, x, y);
+    const real3 origin = uniform3(frame->origin);
+    ray.origin = choose(ray.shows, origin, madd3(ray.direction, FAR_OUT, origin));
+    return ray;
+}
+#endif
+
 // The ray through film coordinates, without a lens.
 INLINE CameraRay camera_ray_through(__global const FrameRecord* frame, real x, real y) {
+#if ONDE_PROJECTIONS
+    if (is_wide(frame)) return wide_ray(frame, x, y);
+#endif
     const real3 target = camera_target(frame, x, y);
     CameraRay ray;
     ray.origin = frame->orthographic ? target : uniform3(frame->origin);
     ray.direction =
         frame->orthographic ? uniform3(frame->forward) : normalize3(sub3(target, ray.origin));
+#if ONDE_PROJECTIONS
+    ray.shows = x == x;
+#endif
     return ray;
 }
 

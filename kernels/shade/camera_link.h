@@ -41,9 +41,27 @@ INLINE CameraLink place_on_film(__global const FrameRecord* frame, CameraLink li
     return link;
 }
 
+#if ONDE_PROJECTIONS
+// The link of what lies in unit direction `d`, of a camera that sees more than a plane.
+INLINE CameraLink wide_link(__global const FrameRecord* frame, real3 d) {
+    const WidePlace place = wide_place(frame, d);
+    CameraLink link;
+    link.camera = uniform3(frame->origin);
+    link.direction = negate3(d);
+    link.x = place.x;
+    link.y = place.y;
+    link.importance = place.density;
+    link.valid = wide_shows(frame, place.x, place.y);
+    return link;
+}
+#endif
+
 // The link of what lies in unit direction `d` from a point of the lens; its importance is film area
 // over solid angle: f^2 / cos^3 of the focus plane at distance f, in pixels.
 INLINE CameraLink camera_link_along(__global const FrameRecord* frame, real3 lens, real3 d) {
+#if ONDE_PROJECTIONS
+    if (is_wide(frame)) return wide_link(frame, d);
+#endif
     const real cosine = dot3(d, uniform3(frame->forward));
     const real ahead = max_real(cosine, (real)(1e-6f));
     const real reach = frame->focus_distance / ahead;

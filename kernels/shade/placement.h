@@ -2,7 +2,7 @@
 #ifndef ONDE_SHADE_PLACEMENT_H
 #define ONDE_SHADE_PLACEMENT_H
 
-#include "shade/scene_view.h"
+#include "shade/moved.h"
 
 // Row k of the linear part of an instance's matrix.
 #define INSTANCE_ROW(view, i, matrix, k)                                                           \
@@ -22,8 +22,43 @@ typedef struct {
     natural index;
 #if ONDE_INSTANCES
     real3 row[3], offset;
+    #if ONDE_SHUTTER
+    real3 to_world[3], to_world_offset; // the way back
+    #endif
 #endif
 } Placement;
+
+#if ONDE_INSTANCES && ONDE_SHUTTER
+// A placement whose way to the object is that of the shutter's opening, at the moment of the view,
+// with its way back.
+INLINE Placement placed_at_moment(SceneView view, Placement p) {
+    p.to_world[0] = INSTANCE_ROW(view, p.index, object_to_world, 0);
+    p.to_world[1] = INSTANCE_ROW(view, p.index, object_to_world, 1);
+    p.to_world[2] = INSTANCE_ROW(view, p.index, object_to_world, 2);
+    p.to_world_offset = INSTANCE_OFFSET(view, p.index, object_to_world);
+    const mask moves =
+        p.placed & (RECORD_NATURAL(view.bvh.instances, p.index, BvhInstance, steps) != 0u);
+    if_any (moves) {
+        const MovedRows moved = moved_rows(view, p.index, moves);
+        for (uint row = 0; row < 3; row++) {
+            p.row[row] = choose(moves, moved.to_object[row], p.row[row]);
+            p.to_world[row] = choose(moves, moved.to_world[row], p.to_world[row]);
+        }
+        p.offset = choose(moves, moved.object_offset, p.offset);
+        p.to_world_offset = choose(moves, moved.world_offset, p.to_world_offset);
+    }
+    return p;
+}
+#endif
+
+// Row k of the way from the object to the world, and its offset.
+#if ONDE_SHUTTER
+    #define TO_WORLD_ROW(view, p, k) (p).to_world[k]
+    #define TO_WORLD_OFFSET(view, p) (p).to_world_offset
+#else
+    #define TO_WORLD_ROW(view, p, k) INSTANCE_ROW(view, (p).index, object_to_world, k)
+    #define TO_WORLD_OFFSET(view, p) INSTANCE_OFFSET(view, (p).index, object_to_world)
+#endif
 
 INLINE Placement placement_of(SceneView view, natural instance) {
     Placement p;
@@ -37,6 +72,9 @@ INLINE Placement placement_of(SceneView view, natural instance) {
         p.row[2] = INSTANCE_ROW(view, p.index, world_to_object, 2);
         p.offset = INSTANCE_OFFSET(view, p.index, world_to_object);
     }
+    #if ONDE_SHUTTER
+    p = placed_at_moment(view, p);
+    #endif
 #endif
     return p;
 }
@@ -105,9 +143,9 @@ typedef struct {
 INLINE Tangent placed_tangent(SceneView view, Placement p, Tangent t) {
 #if ONDE_INSTANCES
     if_any (p.placed) {
-        const real3 x = INSTANCE_ROW(view, p.index, object_to_world, 0);
-        const real3 y = INSTANCE_ROW(view, p.index, object_to_world, 1);
-        const real3 z = INSTANCE_ROW(view, p.index, object_to_world, 2);
+        const real3 x = TO_WORLD_ROW(view, p, 0);
+        const real3 y = TO_WORLD_ROW(view, p, 1);
+        const real3 z = TO_WORLD_ROW(view, p, 2);
         const real3 world = make3(dot3(x, t.direction), dot3(y, t.direction), dot3(z, t.direction));
         const mask mirrored = p.placed & (dot3(x, cross3(y, z)) < 0.0f);
         t.direction = choose(p.placed, normalize3(world), t.direction);

@@ -173,6 +173,13 @@ typedef struct {
     LEVEL_BUFFERS(VIEW_MEMBER)
 } SceneView;
 
+// Gives a view the moments of paths.
+#if ONDE_SHUTTER
+    #define TAKE_TIME(view, path) (view).bvh.time = (path).time;
+#else
+    #define TAKE_TIME(view, path)
+#endif
+
 // The same as kernel parameters, in the order in which the host binds them.
 #define BVH_PARAMETER(Type, name, words) __global const Type *bvh_##name,
 #define SCENE_PARAMETER(Type, name, words) , __global const Type* name

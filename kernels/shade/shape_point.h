@@ -69,15 +69,14 @@ INLINE ShapePoint shape_point(SceneView view, natural record, Placement placemen
     p = madd3(d, slide_back(side.outside, dot3(d, side.normal)), p);
     side = shape_side(kind, minor_radius, p);
     p = madd3(side.normal, -side.outside, p);
-    const natural i = placement.index;
-    const real3 to_world = INSTANCE_OFFSET(view, i, object_to_world);
+    const real3 to_world = TO_WORLD_OFFSET(view, placement);
     ShapePoint point;
     point.normal = side.normal;
     // A torus's roots are as good.
     point.reach = 2.0f + 1.0f / max_real(minor_radius, (real)(0.01f));
-    point.position.x = dot3(INSTANCE_ROW(view, i, object_to_world, 0), p) + to_world.x;
-    point.position.y = dot3(INSTANCE_ROW(view, i, object_to_world, 1), p) + to_world.y;
-    point.position.z = dot3(INSTANCE_ROW(view, i, object_to_world, 2), p) + to_world.z;
+    point.position.x = dot3(TO_WORLD_ROW(view, placement, 0), p) + to_world.x;
+    point.position.y = dot3(TO_WORLD_ROW(view, placement, 1), p) + to_world.y;
+    point.position.z = dot3(TO_WORLD_ROW(view, placement, 2), p) + to_world.z;
     return point;
 }
 #endif

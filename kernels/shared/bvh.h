@@ -105,13 +105,16 @@ typedef struct {
     uint unused[2];
 } BvhSphere;
 
-// 128 bytes. Rows of the 3x4 matrices: x' = row . (x, y, z, 1).
+// 128 bytes. Rows of the 3x4 matrices: x' = row . (x, y, z, 1). Behind the instances lie the keys
+// of those that move, of which object_to_world counts.
 typedef struct {
     float world_to_object[12];
     float object_to_world[12];
     uint root;   // child word of the instanced tree's root
     float scale; // by which a length of object space grows at most in the world
-    uint unused[6];
+    uint steps;  // of its motion while the shutter is open; 0: it stands still
+    uint keys;   // the first of steps + 1 instances, which are where it is at equal steps
+    uint unused[4];
 } BvhInstance;
 
 // The buffers of a tree, each once: BUFFER(Type, name, "name for people"). From this list come the

@@ -33,11 +33,19 @@
 #ifndef ONDE_UNBENT
     #define ONDE_UNBENT 0
 #endif
+// Whether something moves while the shutter is open.
+#ifndef ONDE_SHUTTER
+    #define ONDE_SHUTTER 0
+#endif
 
 // A path of the path tracer. pdf: of the direction at the last vertex, 0 if light can't have been
 // sampled there. (The ray comes first in every list.)
 #define PATH_COLUMNS(VECTOR, REAL, NATURAL)                                                        \
     VECTOR(origin) VECTOR(direction) VECTOR(throughput) REAL(pdf)
+
+// And of paths of either kind, where something moves: when they see it, in [0, 1) of the shutter.
+// It follows the columns that all paths have.
+#define TIME_COLUMNS(VECTOR, REAL, NATURAL) REAL(time)
 
 // What it has beside that where AOVs ask what came before: shares of its light by what the first
 // surface did (see film/light_shares.h), and whether it has met nothing but mirrors.

@@ -6,6 +6,11 @@
 
 #define FILTER_TABLE_SIZE 64
 
+// How directions become places of the film.
+#define PROJECTION_RECTILINEAR 0u // on a plane, or rays are parallel
+#define PROJECTION_PANORAMA 1u    // equirectangular, the whole sphere
+#define PROJECTION_FISHEYE 2u     // equidistant, a circle
+
 typedef struct {
     // Camera. A ray through pixel coordinates (x, y), y downward, leaves
     // origin + lens toward corner + x * step_x + y * step_y on the focus plane.
@@ -20,9 +25,9 @@ typedef struct {
     float lens_u[3];      // unit right
     float aperture_turn;  // of its first corner, in turns
     float lens_v[3];      // unit up
-    float pad2;
-    float forward[3]; // unit
-    float setback;    // of the camera behind the screen that parallel rays leave
+    uint projection;      // PROJECTION_...
+    float forward[3];     // unit
+    float setback;        // of the camera behind the screen that parallel rays leave
 
     uint width, height; // of the film
     uint seed;
@@ -40,7 +45,8 @@ typedef struct {
     uint environment_group;  // of lights
     float environment_floor; // the brightness up to which paths draw nothing of the map's pixels
     float environment_scale[2]; // of densities, over brightness, by MAP_...
-    float pad4, pad5;
+    float fisheye_step;         // turns a pixel
+    uint camera_mover; // the instance whose motion the camera has; NO_INDEX: it stands still
     // Inverse cumulative distribution of the pixel filter, offsets in pixels.
     float filter_table[FILTER_TABLE_SIZE];
 } FrameRecord;

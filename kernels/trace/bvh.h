@@ -14,23 +14,26 @@
 #endif
 
 // The closest hit of the ray.
-INLINE Hit bvh_closest(BvhView bvh, float3 origin, float t_min, float3 direction, float t_max) {
-    return traverse_closest(BVH_TO_SCALARS(bvh), origin, t_min, direction, t_max PASSED_NOTHING);
+INLINE Hit bvh_closest(BvhView bvh, float3 origin, float t_min, float3 direction,
+                       float t_max TIME_PARAMETER) {
+    return traverse_closest(BVH_TO_SCALARS(bvh), origin, t_min, direction,
+                            t_max TIME(time) PASSED_NOTHING);
 }
 
 #if ONDE_PASSING
 // The closest hit of the ray, up to t_max, behind the one that it has passed: nothing is hit twice,
 // and of surfaces at the same distance none is left out, as their ids order them.
 INLINE Hit bvh_closest_behind(BvhView bvh, float3 origin, float3 direction, float t_max,
-                              PassedHit passed) {
-    return traverse_closest(BVH_TO_SCALARS(bvh), origin, 0.0f, direction, t_max, passed.t,
-                            passed.primitive, passed.instance);
+                              PassedHit passed TIME_PARAMETER) {
+    return traverse_closest(BVH_TO_SCALARS(bvh), origin, 0.0f, direction, t_max TIME(time),
+                            passed.t, passed.primitive, passed.instance);
 }
 #endif
 
 // Whether anything is hit: 1 or 0.
-INLINE uint bvh_occluded(BvhView bvh, float3 origin, float t_min, float3 direction, float t_max) {
-    return traverse_occluded(BVH_TO_SCALARS(bvh), origin, t_min, direction, t_max);
+INLINE uint bvh_occluded(BvhView bvh, float3 origin, float t_min, float3 direction,
+                         float t_max TIME_PARAMETER) {
+    return traverse_occluded(BVH_TO_SCALARS(bvh), origin, t_min, direction, t_max TIME(time));
 }
 
 #endif

@@ -38,7 +38,7 @@ INLINE PairSpans span_pair(__global const BvhPair* pair, SlabRay ray, float t_mi
 }
 
 OUTLINED Hit traverse_closest(BVH_SCALARS, float3 origin, float t_min, float3 direction,
-                              float t_max PASSED_PARAMETERS) {
+                              float t_max TIME_PARAMETER PASSED_PARAMETERS) {
     const BvhView bvh = BVH_FROM_SCALARS;
     Hit hit = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
     PASS_IN(hit);
@@ -46,7 +46,7 @@ OUTLINED Hit traverse_closest(BVH_SCALARS, float3 origin, float t_min, float3 di
     ulong stack[ONDE_STACK_SIZE];
     DECLARE_COUNTERS
     uint size = 0;
-    const PlacedRay start = place_ray(origin, direction, ENTRY_BEHIND(t_min), BVH_NONE);
+    const PlacedRay start = place_ray(origin, direction, ENTRY_BEHIND(t_min), BVH_NONE TIME(time));
     PlacedRay ray = start;
     ulong at = stack_entry(t_min, bvh.root);
     for (;;) {
@@ -74,7 +74,8 @@ OUTLINED Hit traverse_closest(BVH_SCALARS, float3 origin, float t_min, float3 di
 #if ONDE_INSTANCES
                 if (slot->kind == BVH_LEAF_INSTANCE) { // alone in its leaf
                     const float near = entry_distance(at);
-                    ray = place_in_instance(bvh, slot->primitive, origin, direction, near);
+                    ray =
+                        place_in_instance(bvh, slot->primitive, origin, direction, near TIME(time));
                     stack[size++] = STACK_LEAVE_INSTANCE;
                     stack[size++] = stack_entry(near, bvh.instances[slot->primitive].root);
                     break;
@@ -97,12 +98,12 @@ OUTLINED Hit traverse_closest(BVH_SCALARS, float3 origin, float t_min, float3 di
 }
 
 OUTLINED uint traverse_occluded(BVH_SCALARS, float3 origin, float t_min, float3 direction,
-                                float t_max) {
+                                float t_max TIME_PARAMETER) {
     const BvhView bvh = BVH_FROM_SCALARS;
     if (!is_finite_ray(origin, direction)) return 0;
     uint stack[ONDE_STACK_SIZE];
     uint size = 0;
-    const PlacedRay start = place_ray(origin, direction, t_min, BVH_NONE);
+    const PlacedRay start = place_ray(origin, direction, t_min, BVH_NONE TIME(time));
     PlacedRay ray = start;
     uint word = bvh.root;
     for (;;) {
@@ -121,7 +122,8 @@ OUTLINED uint traverse_occluded(BVH_SCALARS, float3 origin, float t_min, float3 
                 __global const BvhSlot* slot = bvh_slot(bvh, i);
 #if ONDE_INSTANCES
                 if (slot->kind == BVH_LEAF_INSTANCE) {
-                    ray = place_in_instance(bvh, slot->primitive, origin, direction, t_min);
+                    ray = place_in_instance(bvh, slot->primitive, origin, direction,
+                                            t_min TIME(time));
                     stack[size++] = BVH_NONE;
                     stack[size++] = bvh.instances[slot->primitive].root;
                     break;

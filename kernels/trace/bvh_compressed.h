@@ -136,8 +136,8 @@ INLINE void enter_instance(CompressedTraversal* traversal, NodeGroup* stack, Bvh
     if (has_nodes(traversal->nodes)) stack[traversal->size++] = traversal->nodes;
     if (traversal->slots.bits) stack[traversal->size++] = traversal->slots;
     stack[traversal->size++] = leave_instance();
-    place_traversal(traversal,
-                    place_in_instance(bvh, instance, start.origin, start.direction, start.entry));
+    place_traversal(traversal, place_in_instance(bvh, instance, start.origin, start.direction,
+                                                 start.entry TIME(start.time)));
     traversal->nodes = root_group(bvh.instances[instance].root);
     traversal->slots.bits = 0;
 }
@@ -158,14 +158,14 @@ INLINE uint find_work(CompressedTraversal* traversal, const NodeGroup* stack, Pl
 }
 
 OUTLINED Hit traverse_closest(BVH_SCALARS, float3 origin, float t_min, float3 direction,
-                              float t_max PASSED_PARAMETERS) {
+                              float t_max TIME_PARAMETER PASSED_PARAMETERS) {
     const BvhView bvh = BVH_FROM_SCALARS;
     Hit hit = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
     PASS_IN(hit);
     if (!is_finite_ray(origin, direction)) return hit;
     NodeGroup stack[ONDE_STACK_SIZE];
     DECLARE_COUNTERS
-    const PlacedRay start = place_ray(origin, direction, ENTRY_BEHIND(t_min), BVH_NONE);
+    const PlacedRay start = place_ray(origin, direction, ENTRY_BEHIND(t_min), BVH_NONE TIME(time));
     CompressedTraversal traversal = start_traversal(bvh, start);
     do {
         if (!traversal.slots.bits) {
@@ -190,11 +190,11 @@ OUTLINED Hit traverse_closest(BVH_SCALARS, float3 origin, float t_min, float3 di
 }
 
 OUTLINED uint traverse_occluded(BVH_SCALARS, float3 origin, float t_min, float3 direction,
-                                float t_max) {
+                                float t_max TIME_PARAMETER) {
     const BvhView bvh = BVH_FROM_SCALARS;
     if (!is_finite_ray(origin, direction)) return 0;
     NodeGroup stack[ONDE_STACK_SIZE];
-    const PlacedRay start = place_ray(origin, direction, t_min, BVH_NONE);
+    const PlacedRay start = place_ray(origin, direction, t_min, BVH_NONE TIME(time));
     CompressedTraversal traversal = start_traversal(bvh, start);
     do {
         if (!traversal.slots.bits) visit_nearest(&traversal, stack, bvh, t_max);

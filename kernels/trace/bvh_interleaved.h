@@ -96,7 +96,7 @@ INLINE Due enter_instance(Due due, Interleaved* turns, BvhView bvh, const Stream
     const float distance = turns->distance[r];
     set_stream_ray(&turns->placed, r,
                    place_in_instance(bvh, instance, stream_origin(world, r),
-                                     stream_direction(world, r), distance));
+                                     stream_direction(world, r), distance TIME(world->time[r])));
     turns->entry[r] = distance;
     turns->instance[r] = instance;
     turns->stack[r][turns->size[r]++] = STACK_LEAVE_INSTANCE;

@@ -18,6 +18,9 @@ typedef struct {
     float origin[3][OCCLUDED_WIDTH], direction[3][OCCLUDED_WIDTH];
     float inverse[3][OCCLUDED_WIDTH], near[3][OCCLUDED_WIDTH], far[3][OCCLUDED_WIDTH];
     uint plane[3][OCCLUDED_WIDTH];
+#if ONDE_SHUTTER
+    float time[OCCLUDED_WIDTH];
+#endif
 } StreamRays;
 
 // Rays that nobody asks about, so that arithmetic on places that stay empty is on numbers.
@@ -26,6 +29,9 @@ INLINE void clear_first_half(StreamRays* rays) {
         vstore16((real16)(0.0f), 0, rays->origin[axis]);
         vstore16((real16)(0.0f), 0, rays->direction[axis]);
     }
+#if ONDE_SHUTTER
+    vstore16((real16)(0.0f), 0, rays->time);
+#endif
 }
 
 // The halves that hold the rays in `bits`.
@@ -110,11 +116,33 @@ INLINE void copy_stream_ray(StreamRays* to, const StreamRays* from, uint r) {
                  from->plane[axis][r]);
 }
 
+    #if ONDE_SHUTTER
+// The rays in the space of an instance that moves, each at its moment.
+INLINE void place_in_moving(StreamRays* inside, const StreamRays* world, BvhView bvh, uint instance,
+                            uint halves) {
+    for (uint r = 0; r < STREAM_WIDTH * halves; r++) {
+        const MovedInstance moved = moved_instance(bvh.instances, instance, world->time[r]);
+        const float3 origin = moved_point(moved, stream_origin(world, r));
+        const float3 direction = moved_vector(moved, stream_direction(world, r));
+        set_axis(inside, 0, r, origin.x, direction.x, 0.0f, 0.0f, 0.0f, 0u);
+        set_axis(inside, 1, r, origin.y, direction.y, 0.0f, 0.0f, 0.0f, 0u);
+        set_axis(inside, 2, r, origin.z, direction.z, 0.0f, 0.0f, 0.0f, 0u);
+    }
+}
+    #endif
+
 // The rays in the space of an instance.
-INLINE void place_stream(StreamRays* inside, const StreamRays* world,
-                         __global const BvhInstance* placed, uint halves) {
+INLINE void place_stream(StreamRays* inside, const StreamRays* world, BvhView bvh, uint instance,
+                         uint halves) {
+    #if ONDE_SHUTTER
+    if (bvh.instances[instance].steps > 0) {
+        place_in_moving(inside, world, bvh, instance, halves);
+        prepare_stream(inside, halves);
+        return;
+    }
+    #endif
     for (uint i = 0; i < halves; i++) {
-        __global const float* m = placed->world_to_object;
+        __global const float* m = bvh.instances[instance].world_to_object;
         const real16 px = vload16(i, world->origin[0]), py = vload16(i, world->origin[1]),
                      pz = vload16(i, world->origin[2]);
         const real16 vx = vload16(i, world->direction[0]), vy = vload16(i, world->direction[1]),

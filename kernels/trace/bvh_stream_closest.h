@@ -232,7 +232,7 @@ INLINE void meet_leaf(BvhView bvh, uint word, const StreamRays* rays, const floa
 
 INLINE PlacedRay stream_ray(const StreamRays* rays, uint r, float entry, uint instance) {
     const PlacedRay ray = {stream_origin(rays, r), stream_direction(rays, r), stream_slab(rays, r),
-                           entry, instance};
+                           entry, instance TIME(rays->time[r])};
     return ray;
 }
 
@@ -281,14 +281,13 @@ OUTLINED void bvh_closest_stream(BVH_SCALARS, StreamRays* world, const float* t_
 #if ONDE_INSTANCES
         else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE && here) {
             instance = word & BVH_INDEX_MASK;
-            __global const BvhInstance* placed = bvh.instances + instance;
-            place_stream(&inside, world, placed, 1);
+            place_stream(&inside, world, bvh, instance, 1);
             rays = &inside;
             make_beam(&beam, rays, t_min, here);
             *(real16*)inside_entry = *(real16*)near;
             entry = inside_entry;
             stack[size++] = STACK_LEAVE_INSTANCE;
-            word = placed->root;
+            word = bvh.instances[instance].root;
             continue;
         }
 #endif

@@ -79,11 +79,11 @@ OUTLINED uint bvh_occluded_stream(BVH_SCALARS, StreamRays* world, const float* t
         else if (word == BVH_NONE) {
             rays = world;
         } else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE) {
-            __global const BvhInstance* placed = bvh.instances + (word & BVH_INDEX_MASK);
-            place_stream(&inside, world, placed, halves);
+            const uint instance = word & BVH_INDEX_MASK;
+            place_stream(&inside, world, bvh, instance, halves);
             rays = &inside;
             stack[size++] = stream_entry(BVH_NONE, 0xffffffffu);
-            word = placed->root;
+            word = bvh.instances[instance].root;
             continue;
         }
 #endif

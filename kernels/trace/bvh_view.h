@@ -5,6 +5,7 @@
 
 #include "trace/bvh_leaf.h"
 #include "trace/bvh_slab.h"
+#include "trace/moving.h"
 
 // Entries that the tree's deepest traversal needs: Bvh::stack_size.
 #ifndef ONDE_STACK_SIZE
@@ -26,6 +27,9 @@
 typedef struct {
     BVH_BUFFERS(BVH_MEMBER)
     uint root; // child word
+#if ONDE_SHUTTER
+    real time; // of the rays that lanes ask about, in [0, 1) of the shutter
+#endif
 } BvhView;
 
 INLINE uint is_finite_ray(float3 origin, float3 direction) {
@@ -77,17 +81,29 @@ typedef struct {
     SlabRay slab;
     float entry;   // no box of the tree is entered earlier
     uint instance; // that the tree is of; BVH_NONE: the world's
+#if ONDE_SHUTTER
+    float time;
+#endif
 } PlacedRay;
 
-INLINE PlacedRay place_ray(float3 origin, float3 direction, float entry, uint instance) {
-    const PlacedRay ray = {origin, direction, make_slab_ray(origin, direction), entry, instance};
+INLINE PlacedRay place_ray(float3 origin, float3 direction, float entry,
+                           uint instance TIME_PARAMETER) {
+    const PlacedRay ray = {origin, direction, make_slab_ray(origin, direction), entry,
+                           instance TIME(time)};
     return ray;
 }
 INLINE PlacedRay place_in_instance(BvhView bvh, uint instance, float3 origin, float3 direction,
-                                   float entry) {
+                                   float entry TIME_PARAMETER) {
+#if ONDE_SHUTTER
+    if (bvh.instances[instance].steps > 0) {
+        const MovedInstance moved = moved_instance(bvh.instances, instance, time);
+        return place_ray(moved_point(moved, origin), moved_vector(moved, direction), entry,
+                         instance, time);
+    }
+#endif
     __global const float* rows = bvh.instances[instance].world_to_object;
     return place_ray(transform_point(rows, origin), transform_vector(rows, direction), entry,
-                     instance);
+                     instance TIME(time));
 }
 
 #endif

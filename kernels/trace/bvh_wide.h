@@ -142,7 +142,8 @@ INLINE Hit closest_below(BvhView bvh, uint word, float distance, PlacedRay start
 #if ONDE_INSTANCES
         else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE) {
             const uint instance = word & BVH_INDEX_MASK;
-            ray = place_in_instance(bvh, instance, start.origin, start.direction, distance);
+            ray = place_in_instance(bvh, instance, start.origin, start.direction,
+                                    distance TIME(start.time));
             stack[size++] = STACK_LEAVE_INSTANCE;
             word = bvh.instances[instance].root;
             continue;
@@ -165,19 +166,20 @@ INLINE Hit closest_below(BvhView bvh, uint word, float distance, PlacedRay start
 }
 
 OUTLINED Hit traverse_closest(BVH_SCALARS, float3 origin, float t_min, float3 direction,
-                              float t_max PASSED_PARAMETERS) {
+                              float t_max TIME_PARAMETER PASSED_PARAMETERS) {
     const BvhView bvh = BVH_FROM_SCALARS;
     Hit miss = {t_max, 0.0f, 0.0f, BVH_NONE, BVH_NONE};
     PASS_IN(miss);
     if (!is_finite_ray(origin, direction)) return miss;
     ulong stack[ONDE_STACK_SIZE];
     const float entry = ENTRY_BEHIND(t_min);
-    return closest_below(bvh, bvh.root, entry, place_ray(origin, direction, entry, BVH_NONE), t_min,
-                         stack, miss);
+    return closest_below(bvh, bvh.root, entry,
+                         place_ray(origin, direction, entry, BVH_NONE TIME(time)), t_min, stack,
+                         miss);
 }
 
 OUTLINED uint traverse_occluded(BVH_SCALARS, float3 origin, float t_min, float3 direction,
-                                float t_max) {
+                                float t_max TIME_PARAMETER) {
     const BvhView bvh = BVH_FROM_SCALARS;
     if (!is_finite_ray(origin, direction)) return 0;
     uint stack[ONDE_STACK_SIZE];
@@ -221,12 +223,14 @@ OUTLINED uint traverse_occluded(BVH_SCALARS, float3 origin, float t_min, float3 
 #endif
 #if ONDE_INSTANCES
         else if ((word & BVH_KIND_MASK) == BVH_LEAF_INSTANCE) {
-            __global const BvhInstance* placed = bvh.instances + (word & BVH_INDEX_MASK);
-            local_origin = transform_point(placed->world_to_object, origin);
-            local_direction = transform_vector(placed->world_to_object, direction);
-            slab = make_slab_ray(local_origin, local_direction);
+            const uint instance = word & BVH_INDEX_MASK;
+            const PlacedRay inside =
+                place_in_instance(bvh, instance, origin, direction, t_min TIME(time));
+            local_origin = inside.origin;
+            local_direction = inside.direction;
+            slab = inside.slab;
             stack[size++] = BVH_NONE;
-            word = placed->root;
+            word = bvh.instances[instance].root;
             continue;
         } else {
             local_origin = origin;

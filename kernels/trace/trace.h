@@ -28,15 +28,21 @@
 typedef struct {
     float origin_x[ONDE_WIDTH], origin_y[ONDE_WIDTH], origin_z[ONDE_WIDTH];
     float direction_x[ONDE_WIDTH], direction_y[ONDE_WIDTH], direction_z[ONDE_WIDTH];
+#if ONDE_SHUTTER
+    float time[ONDE_WIDTH];
+#endif
 } SpilledRays;
 
-INLINE void spill_rays(SpilledRays* rays, real3 origin, real3 direction) {
+INLINE void spill_rays(SpilledRays* rays, BvhView bvh, real3 origin, real3 direction) {
     spill_real(rays->origin_x, origin.x);
     spill_real(rays->origin_y, origin.y);
     spill_real(rays->origin_z, origin.z);
     spill_real(rays->direction_x, direction.x);
     spill_real(rays->direction_y, direction.y);
     spill_real(rays->direction_z, direction.z);
+#if ONDE_SHUTTER
+    spill_real(rays->time, bvh.time);
+#endif
 }
 INLINE float3 spilled_origin(const SpilledRays* rays, uint k) {
     return (float3)(rays->origin_x[k], rays->origin_y[k], rays->origin_z[k]);
@@ -78,7 +84,7 @@ INLINE Hits unspill_hits(const SpilledHits* spilled) {
 // Closest hits of the lanes in `bits`; the other lanes miss.
 INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits) {
     SpilledRays rays;
-    spill_rays(&rays, origin, direction);
+    spill_rays(&rays, bvh, origin, direction);
     SpilledHits hits;
     Hits nothing;
     nothing.t = (real)(RAY_INFINITY);
@@ -88,7 +94,7 @@ INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits)
     for (; bits; bits &= bits - 1) {
         const uint k = lowest_bit(bits);
         const Hit hit = bvh_closest(bvh, spilled_origin(&rays, k), 0.0f,
-                                    spilled_direction(&rays, k), RAY_INFINITY);
+                                    spilled_direction(&rays, k), RAY_INFINITY TIME(rays.time[k]));
         set_spilled_hit(&hits, k, hit);
     }
     return unspill_hits(&hits);
@@ -100,7 +106,7 @@ INLINE Hits trace_closest(BvhView bvh, real3 origin, real3 direction, uint bits)
 INLINE Hits trace_behind(BvhView bvh, real3 origin, real3 direction, real t_max, Hits hits,
                          uint bits) {
     SpilledRays rays;
-    spill_rays(&rays, origin, direction);
+    spill_rays(&rays, bvh, origin, direction);
     SpilledHits behind;
     float end[ONDE_WIDTH];
     spill_hits(&behind, hits);
@@ -109,8 +115,9 @@ INLINE Hits trace_behind(BvhView bvh, real3 origin, real3 direction, real t_max,
         const uint k = lowest_bit(bits);
         const PassedHit passed = {behind.t[k], as_uint(behind.primitive[k]),
                                   as_uint(behind.instance[k])};
-        const Hit hit = bvh_closest_behind(bvh, spilled_origin(&rays, k),
-                                           spilled_direction(&rays, k), end[k], passed);
+        const Hit hit =
+            bvh_closest_behind(bvh, spilled_origin(&rays, k), spilled_direction(&rays, k), end[k],
+                               passed TIME(rays.time[k]));
         set_spilled_hit(&behind, k, hit);
     }
     return unspill_hits(&behind);
@@ -135,12 +142,12 @@ INLINE void closest_of_bounce(BvhView bvh, StreamRays* rays, StreamHits* hits, u
         const uint r = lowest_bit(bits);
         set_stream_hit(hits, r,
                        bvh_closest(bvh, stream_origin(rays, r), 0.0f, stream_direction(rays, r),
-                                   RAY_INFINITY));
+                                   RAY_INFINITY TIME(rays->time[r])));
     }
     #endif
 }
 
-INLINE void load_stream(StreamRays* rays, real3 origin, real3 direction) {
+INLINE void load_stream(StreamRays* rays, BvhView bvh, real3 origin, real3 direction) {
     if (ONDE_WIDTH < STREAM_WIDTH) clear_first_half(rays);
     spill_real(rays->origin[0], origin.x);
     spill_real(rays->origin[1], origin.y);
@@ -148,6 +155,9 @@ INLINE void load_stream(StreamRays* rays, real3 origin, real3 direction) {
     spill_real(rays->direction[0], direction.x);
     spill_real(rays->direction[1], direction.y);
     spill_real(rays->direction[2], direction.z);
+    #if ONDE_SHUTTER
+    spill_real(rays->time, bvh.time);
+    #endif
 }
 #endif
 
@@ -156,7 +166,7 @@ INLINE void load_stream(StreamRays* rays, real3 origin, real3 direction) {
 INLINE Hits trace_bounce(BvhView bvh, real3 origin, real3 direction, uint bounce, uint bits) {
     StreamRays rays;
     StreamHits found;
-    load_stream(&rays, origin, direction);
+    load_stream(&rays, bvh, origin, direction);
     closest_of_bounce(bvh, &rays, &found, bounce, bits);
     Hits hits;
     hits.t = unspill_real(found.t);
@@ -180,6 +190,9 @@ typedef StreamRays OccludedRays;
     #define OCCLUDED_GROUPS 1
 typedef struct {
     float origin[3][ONDE_WIDTH], direction[3][ONDE_WIDTH];
+    #if ONDE_SHUTTER
+    float time[ONDE_WIDTH];
+    #endif
 } OccludedRays;
 #endif
 typedef struct {
@@ -196,6 +209,9 @@ INLINE void put_group(Occlusion* o, uint group, real3 origin, real3 direction, r
     spill_real(o->rays.direction[1] + first, direction.y);
     spill_real(o->rays.direction[2] + first, direction.z);
     spill_real(o->distance + first, distance);
+#if ONDE_SHUTTER
+    spill_real(o->rays.time + first, (real)(0.0f));
+#endif
 }
 
 INLINE float3 occluded_origin(const Occlusion* o, uint r) {
@@ -231,7 +247,7 @@ INLINE uint occluded_groups(BvhView bvh, Occlusion* o, uint groups, uint bits) {
     for (; bits; bits &= bits - 1) {
         const uint r = lowest_bit(bits);
         if (bvh_occluded(bvh, occluded_origin(o, r), 0.0f, occluded_direction(o, r),
-                         o->distance[r]))
+                         o->distance[r] TIME(o->rays.time[r])))
             blocked |= 1u << r;
     }
     return blocked;
@@ -242,6 +258,9 @@ INLINE uint occluded_groups(BvhView bvh, Occlusion* o, uint groups, uint bits) {
 INLINE uint trace_occluded(BvhView bvh, real3 origin, real3 direction, real distance, uint bits) {
     Occlusion o;
     put_group(&o, 0, origin, direction, distance);
+#if ONDE_SHUTTER
+    spill_real(o.rays.time, bvh.time);
+#endif
     return occluded_groups(bvh, &o, 1, bits);
 }
 

@@ -51,6 +51,12 @@ INLINE uint find_transmittance(Estimator e, WaveView wave, const uint* slots, ui
             ways[i] = *column(connections, CONNECTION_WAY, slots[place[min(i, count - 1)]]);
         way = as_natural(unspill_real(ways));
     #endif
+    #if ONDE_SHUTTER
+        float times[ONDE_WIDTH];
+        for (uint i = 0; i < ONDE_WIDTH; i++)
+            times[i] = *column(wave.state, ESTIMATOR_TIME, slots[place[min(i, count - 1)]]);
+        e.view.bvh.time = unspill_real(times);
+    #endif
         natural id = (natural)(0u);
     #if ONDE_GRIDS
         float ids[ONDE_WIDTH];

@@ -33,6 +33,7 @@ INLINE void pass_columns(Estimator e, WaveView wave, uint bounce, uint begin, ui
         const mask lanes = group_lanes(i, end);
         const Hits hits = load_hits(wave_hits(wave), i);
         const State state = load_state(wave.state, i);
+        TAKE_TIME(e.view, state)
         const mask may = may_pass(e.view, hits, state.direction, estimator_culls(state, lanes),
                                   lanes & (hits.primitive != BVH_NONE));
         if (!mask_bits(may)) continue;
@@ -43,7 +44,8 @@ INLINE void pass_columns(Estimator e, WaveView wave, uint bounce, uint begin, ui
 #endif
 
 INLINE void stage_intersect(Estimator e, WaveView wave, uint bounce, uint begin, uint end) {
-    trace_columns(e.view.bvh, wave.state, wave_hits(wave), bounce, begin, end);
+    trace_columns(e.view.bvh, wave.state, wave_hits(wave), bounce, begin,
+                  end TIMES(columns_from(wave.state, ESTIMATOR_TIME)));
 #if ONDE_SEEN_THROUGH
     pass_columns(e, wave, bounce, begin, end);
 #endif
@@ -98,7 +100,8 @@ INLINE void test_connections(Estimator e, WaveView wave, FilmView film, const ui
 #if ONDE_MEDIA // which are asked on all ways
     uint blocked = ~0u >> (32u - count);
 #else
-    uint blocked = occluded_slots(e.view.bvh, wave_connections(wave), slots, count);
+    uint blocked = occluded_slots(e.view.bvh, wave_connections(wave), slots,
+                                  count TIMES(columns_from(wave.state, ESTIMATOR_TIME)));
 #endif
 #if ESTIMATOR_TRANSLUCENT
     float3 transmittance[OCCLUDED_SLOTS];

@@ -36,7 +36,7 @@ Attached divide(std::span<const Geometry> geometries, std::span<const Placement>
         const uint32_t geometry = placements[i].geometry;
         if (is_empty(geometries[geometry])) continue;
         if (uses[geometry] == 1 && geometries[geometry].shapes.empty() &&
-            placements[i].object_to_world == glm::mat4(1.0f)) {
+            placements[i].object_to_world == glm::mat4(1.0f) && placements[i].keys.empty()) {
             attached.direct.push_back(geometry);
             continue;
         }
@@ -69,8 +69,7 @@ WideTree plan_world(std::span<const Geometry> geometries, std::span<const Placem
     std::vector<WideSize> sizes(placements.size());
     for (uint32_t i : attached.shown) {
         const WideTree& tree = *trees[placements[i].geometry];
-        const Box world = padded(transformed(padded(tree.box()), placements[i].object_to_world));
-        references.emplace_back(world, Reference::INSTANCE, i);
+        references.emplace_back(placed_box(tree.box(), placements[i]), Reference::INSTANCE, i);
         sizes[i] = tree.size();
     }
     return WideTree(std::move(references), sizes, geometries, options);
@@ -126,8 +125,7 @@ Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> p
         const uint32_t geometry = attached.instanced[i];
         roots[geometry] = trees[geometry]->emit(geometries, places[geometry], bvh);
     });
-    for (const Placement& placement : placements)
-        bvh.instances.push_back(make_instance(placement, roots[placement.geometry]));
+    put_instances(placements, roots, bvh.instances);
 
     bvh.has_instances = !attached.shown.empty();
     bvh.stack_size = world.size().stack + 1;

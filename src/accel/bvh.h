@@ -43,6 +43,8 @@ struct Geometry {
 struct Placement {
     uint32_t geometry = 0;
     glm::mat4 object_to_world{1.0f};
+    /// Of what moves: where it is at equal steps, between which the matrices are mixed; else none.
+    std::span<const glm::mat4> keys = {};
 };
 
 /// How a tree is split.
@@ -96,7 +98,8 @@ struct BvhStatistics {
     double build_seconds = 0;
 };
 
-/// The tree of one world. Placement i becomes instances[i] unless it is attached directly.
+/// The tree of one world. Placement i becomes instances[i] unless it is attached directly. The keys
+/// of those that move follow all instances.
 struct Bvh {
     BvhLayout layout = BvhLayout::wide; ///< of the nodes and leaves, some of which are empty
     AlignedVector<BvhNode> nodes;
@@ -133,6 +136,10 @@ Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> p
 /// in a narrow layout (fit it before compact_bvh).
 void refit_bvh(Bvh& bvh, std::span<const Geometry> geometries,
                std::span<const Placement> placements, const BvhOptions& options = {});
+
+/// Adds an instance of nothing, behind all others, for what moves without being met; returns its
+/// index. A refit forgets it.
+uint32_t add_mover(Bvh& bvh, std::span<const glm::mat4> keys);
 
 /// Moves a wide tree that is shaped for a narrow layout (children of a node, triangles of a leaf, a
 /// root that is a node) into that layout; a tree of layout `wide` stays as it is. Boxes only grow,

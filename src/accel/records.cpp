@@ -1,5 +1,8 @@
 #include "accel/records.h"
 
+#include "accel/wide.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace onde::accel {
@@ -10,6 +13,13 @@ void store_rows(const glm::mat4& matrix, float (&rows)[12]) {
     for (glm::length_t row = 0; row < 3; ++row)
         for (glm::length_t column = 0; column < 4; ++column)
             rows[4 * row + column] = matrix[column][row];
+}
+
+/// By which a length grows at most.
+float largest_scale(const glm::mat4& matrix) {
+    const glm::mat3 linear(matrix);
+    return std::sqrt(glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) +
+                     glm::dot(linear[2], linear[2]));
 }
 
 } // namespace
@@ -41,10 +51,54 @@ BvhInstance make_instance(const Placement& placement, uint32_t root) {
     store_rows(glm::mat4(glm::inverse(glm::dmat4(placement.object_to_world))),
                instance.world_to_object);
     instance.root = root;
-    const glm::mat3 linear(placement.object_to_world);
-    instance.scale = std::sqrt(glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) +
-                               glm::dot(linear[2], linear[2]));
+    instance.scale = largest_scale(placement.object_to_world);
+    for (const glm::mat4& key : placement.keys)
+        instance.scale = std::max(instance.scale, largest_scale(key));
+    instance.steps = placement.keys.empty() ? 0 : uint32_t(placement.keys.size() - 1);
     return instance;
+}
+
+void put_keys(const Placement& placement, AlignedVector<BvhInstance>& instances, size_t index) {
+    if (placement.keys.empty()) return;
+    instances[index].keys = uint32_t(instances.size());
+    for (const glm::mat4& key : placement.keys) {
+        BvhInstance& record = instances.emplace_back();
+        store_rows(key, record.object_to_world);
+        record.root = BVH_NONE;
+    }
+}
+
+void put_instances(std::span<const Placement> placements, std::span<const uint32_t> roots,
+                   AlignedVector<BvhInstance>& instances) {
+    instances.clear();
+    for (const Placement& placement : placements)
+        instances.push_back(make_instance(placement, roots[placement.geometry]));
+    for (size_t i = 0; i < placements.size(); ++i) put_keys(placements[i], instances, i);
+}
+
+} // namespace onde::accel
+
+namespace onde {
+
+uint32_t add_mover(Bvh& bvh, std::span<const glm::mat4> keys) {
+    const auto index = uint32_t(bvh.instances.size());
+    const Placement placement{.geometry = 0, .object_to_world = keys[0], .keys = keys};
+    bvh.instances.push_back(accel::make_instance(placement, BVH_NONE));
+    accel::put_keys(placement, bvh.instances, index);
+    return index;
+}
+
+} // namespace onde
+
+namespace onde::accel {
+
+Box placed_box(const Box& box, const Placement& placement) {
+    if (placement.keys.empty()) return padded(transformed(padded(box), placement.object_to_world));
+    // A point's way is straight between two keys. Their mean is inverted in single precision.
+    Box all;
+    for (const glm::mat4& key : placement.keys)
+        all.extend(padded(padded(transformed(padded(box), key))));
+    return padded(padded(all));
 }
 
 } // namespace onde::accel

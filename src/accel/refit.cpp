@@ -30,8 +30,7 @@ class Refitter {
     void refit() {
         for_each_index(bvh_.blocks.size(), parallel_, [&](size_t i) { refit_block(i); });
         for (BvhSphere& sphere : bvh_.spheres) refit_sphere(sphere);
-        for (size_t i = 0; i < placements_.size(); ++i)
-            bvh_.instances[i] = make_instance(placements_[i], bvh_.instances[i].root);
+        refit_instances();
         // Children come after their parents, and the trees of instances after the world's.
         for (size_t i = bvh_.nodes.size(); i-- > 0;) refit_node(i);
     }
@@ -63,6 +62,16 @@ class Refitter {
         }
     }
 
+    void refit_instances() {
+        std::vector<uint32_t> roots; // by geometry
+        for (size_t i = 0; i < placements_.size(); ++i) {
+            const uint32_t geometry = placements_[i].geometry;
+            roots.resize(std::max<size_t>(roots.size(), geometry + 1), BVH_NONE);
+            roots[geometry] = bvh_.instances[i].root;
+        }
+        put_instances(placements_, roots, bvh_.instances);
+    }
+
     void refit_sphere(BvhSphere& out) const {
         const Geometry& geometry = owner(out.primitive);
         const size_t sphere = out.primitive - geometry.first_primitive - geometry.triangles.size();
@@ -91,8 +100,7 @@ class Refitter {
         case BVH_LEAF_TRIANGLES:
             return block_boxes_[index];
         case BVH_LEAF_INSTANCE:
-            return padded(transformed(padded(box_below(bvh_.instances[index].root)),
-                                      placements_[index].object_to_world));
+            return placed_box(box_below(bvh_.instances[index].root), placements_[index]);
         default: {
             const uint32_t primitive = bvh_.spheres[index].primitive;
             const Geometry& geometry = owner(primitive);
@@ -113,7 +121,7 @@ class Refitter {
 void refit_bvh(Bvh& bvh, std::span<const Geometry> geometries,
                std::span<const Placement> placements, const BvhOptions& options) {
     const Timer timer;
-    if (bvh.layout != BvhLayout::wide || placements.size() != bvh.instances.size())
+    if (bvh.layout != BvhLayout::wide || placements.size() > bvh.instances.size())
         throw InputError("only a wide tree can be fitted to moved vertices, under as many "
                          "placements as it was built for; build it anew");
     Refitter(bvh, geometries, placements, options.parallel).refit();

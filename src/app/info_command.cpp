@@ -130,6 +130,17 @@ void print_memory(const DeviceMemory& memory) {
     print_buffers(plan.film);
 }
 
+/// "40 degrees", "panorama", "fisheye of 180 degrees".
+std::string view_text(const Camera& camera) {
+    const auto degrees = [](float radians) {
+        return fmt::format("{:.4g} degrees", glm::degrees(radians));
+    };
+    if (!is_wide(camera)) return degrees(camera.vertical_fov);
+    const std::string word(word_of(camera.projection));
+    return camera.projection == Projection::fisheye ? word + " of " + degrees(camera.fisheye_angle)
+                                                    : word;
+}
+
 /// "5, 2 disk, 3 torus".
 std::string counts_text(size_t all, const CountsByWord& counts) {
     std::string text = std::to_string(all);
@@ -161,8 +172,8 @@ void print_text(const Scene& scene, const SceneSummary& summary, const DeviceMem
                counts_text(scene.chapter.area_lights.size(), summary.area_lights));
     fmt::print("environment   {}\n", environment_text(scene.environment));
     for (size_t i = 0; i < scene.cameras.size(); ++i)
-        fmt::print("camera {}      '{}', {:.4g} degrees\n", i, printable(scene.cameras[i].name),
-                   glm::degrees(scene.cameras[i].vertical_fov));
+        fmt::print("camera {}      '{}', {}\n", i, printable(scene.cameras[i].name),
+                   view_text(scene.cameras[i]));
     print_settings(scene.settings);
     fmt::print("bounds        {} to {}\n", vector_text(bounds.low), vector_text(bounds.high));
     if (const glm::dvec3& o = scene.origin; o != glm::dvec3(0.0))

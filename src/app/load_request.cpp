@@ -22,7 +22,8 @@ void declare_load(Command& command, LoadRequest& r) {
                    "The most memory that textures take on the device: the largest are halved until "
                    "all fit (any)",
                    {.value = "GIB"});
-    command.option("--at", &r.options.at, "Second of a glTF file's animation (the rest pose)",
+    command.option("--at", &r.options.at,
+                   "Second of the scene's animation (a glTF file's rest pose; 0 of others)",
                    {.value = "SECONDS"});
     command.option("--animation", &r.options.animation,
                    "Animation of a glTF file, by name or number (all that get along)");

@@ -20,9 +20,9 @@ bool has_motion(const std::vector<std::string>& aovs) {
 }
 
 [[noreturn]] void throw_idle_rate() {
-    throw InputError(
-        "--fps is of --frames, and of --aov motion of one picture --at a moment; give one of them, "
-        "or leave --fps away");
+    throw InputError("--fps is of --frames, of --shutter, and of --aov motion of one picture --at "
+                     "a moment; give "
+                     "one of them, or leave --fps away");
 }
 
 /// Whether anything of a scene that has a next frame is elsewhere in it.
@@ -47,12 +47,28 @@ void check_frames_a_second(const RenderRequest& r) {
                          *r.frames_a_second);
     const bool may_move =
         r.load.options.at && !r.turntable && (r.aovs.empty() || has_motion(r.aovs));
-    if (r.frames.empty() && !may_move) throw_idle_rate();
+    if (r.frames.empty() && !may_move && !r.shutter) throw_idle_rate();
 }
 
-void add_next_frame(Scene& scene, const RenderRequest& request, const LoadOptions& options) {
+static void add_shutter(Scene& scene, const RenderRequest& r, const LoadOptions& options) {
+    const double seconds =
+        r.shutter ? *r.shutter / frames_a_second(r) : double(scene.settings.shutter.value_or(0.0f));
+    if (!(seconds > 0)) return;
+    const char* why =
+        !scene.moment ? "no time passes without --at or --frames" : "--turntable moves the camera";
+    if (!scene.moment || r.turntable) {
+        if (r.shutter) scene.notes.push_back(fmt::format("Nothing is blurred: {}.", why));
+        return;
+    }
+    load_shutter(scene, r.scene, options, seconds);
+    if (r.shutter && !scene.shutter)
+        scene.notes.push_back("Nothing is blurred: nothing moves while the shutter is open.");
+}
+
+static void add_next_frame(Scene& scene, const RenderRequest& request, const LoadOptions& options) {
     if (!has_motion(requested_aovs(request, scene))) {
-        if (request.frames_a_second && request.frames.empty()) throw_idle_rate();
+        if (request.frames_a_second && request.frames.empty() && !request.shutter)
+            throw_idle_rate();
         return;
     }
     if (request.turntable) return; // what moves is its camera
@@ -66,6 +82,11 @@ void add_next_frame(Scene& scene, const RenderRequest& request, const LoadOption
         scene.notes.push_back(
             fmt::format("The channel motion {} the next frame, 1/{:g} s later (--fps).",
                         moves(scene) ? "leads to" : "is 0: nothing moves until", rate));
+}
+
+void add_motion(Scene& scene, const RenderRequest& request, const LoadOptions& options) {
+    add_next_frame(scene, request, options);
+    add_shutter(scene, request, options);
 }
 
 } // namespace onde::app

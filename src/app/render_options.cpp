@@ -20,6 +20,18 @@ void declare_view(Command& command, RenderRequest& r) {
                    {.value = "WxH"});
     command.option("--camera", &r.choices.camera,
                    "Camera of the scene, by name or number (the first)");
+    command.choice("--projection", r.projection,
+                   "How the camera maps directions to the picture: the whole sphere as a panorama, "
+                   "a circle of\n180 degrees as a fisheye (the camera's own)");
+    command.option("--shutter", &r.shutter,
+                   "Blur what moves: frames for which the shutter is open from the frame's moment "
+                   "on; 0.5\nis a shutter of 180 degrees (the scene's seconds, else 0)",
+                   {.value = "FRAMES"});
+    command.option(
+        "--fps", &r.frames_a_second,
+        "Frames a second of --frames, of --shutter, and of the next frame to which --aov "
+        "motion leads\n(24)",
+        {.value = "N"});
     declare_light(command, r);
 }
 
@@ -114,12 +126,8 @@ void declare_sequence(Command& command, RenderRequest& r) {
                    "OUTPUT.0001.png and on; # signs in OUTPUT stand for the digits",
                    {.value = "N", .least = 1, .most = MOST_PICTURES});
     command.option("--frames", &r.frames,
-                   "Render these frames of a glTF file's animation, OUTPUT.0000.png and on",
+                   "Render these frames of the scene's animation, OUTPUT.0000.png and on",
                    {.value = "FIRST:LAST"});
-    command.option("--fps", &r.frames_a_second,
-                   "Frames a second of --frames, and of the next frame to which --aov motion leads "
-                   "(24)",
-                   {.value = "N"});
 }
 
 void declare_reports(Command& command, RenderRequest& r) {

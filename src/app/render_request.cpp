@@ -2,6 +2,7 @@
 
 #include "app/film_request.h"
 #include "app/id_channels.h"
+#include "app/motion_request.h"
 
 #include "core/error.h"
 #include "core/log.h"
@@ -82,6 +83,14 @@ DenoiserOptions requested_denoiser(const RenderRequest& request, const RenderSet
 
 } // namespace
 
+/// A view of another projection; what that has no use for goes.
+static void set_projection(Camera& camera, Projection projection) {
+    camera.projection = projection;
+    if (!is_wide(camera)) return;
+    camera.orthographic_height.reset();
+    camera.screen.reset();
+}
+
 LoadOptions requested_load(const RenderRequest& request) {
     LoadOptions options = load_options(request.load);
     options.studio = request.studio;
@@ -99,7 +108,10 @@ LoadOptions requested_load(const RenderRequest& request) {
 }
 
 Scene load_requested_scene(const RenderRequest& request) {
-    return load_scene(request.scene, requested_load(request));
+    const LoadOptions options = requested_load(request);
+    Scene scene = load_scene(request.scene, options);
+    add_motion(scene, request, options);
+    return scene;
 }
 
 void check_request(const RenderRequest& r) {
@@ -116,6 +128,8 @@ void check_request(const RenderRequest& r) {
         throw InputError("--time {} is not a positive number of seconds", *r.choices.seconds);
     check_named_once(r.aovs, "--aov");
     tell_idle_names(r);
+    if (r.shutter && !(*r.shutter >= 0 && std::isfinite(*r.shutter)))
+        throw InputError("--shutter {} is no part of a frame, such as 0.5; 0 is none", *r.shutter);
     if (r.exposure && !(std::abs(*r.exposure) <= MOST_STOPS))
         throw InputError("--exposure {} is out of range; use {} to {} stops", *r.exposure,
                          -MOST_STOPS, MOST_STOPS);
@@ -184,6 +198,8 @@ Session open_session(Machine& machine, Scene scene, const RenderRequest& request
     if (denoiser.denoiser == Denoiser::off && describes_denoiser(request))
         scene.notes.push_back("--denoiser-library and --denoise-quality do nothing without "
                               "--denoise.");
+    if (request.projection)
+        for (Camera& camera : scene.cameras) set_projection(camera, *request.projection);
     const ResolvedOptions resolved = resolve_options(choices, scene, machine.device.facts());
     scene.notes.insert(scene.notes.end(), resolved.notes.begin(), resolved.notes.end());
     SessionOptions options{

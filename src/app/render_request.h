@@ -67,6 +67,8 @@ struct RenderRequest {
     std::string sample_range, rectangle; ///< FIRST:END and X,Y,WIDTH,HEIGHT, or empty
     std::string frames;                  ///< of an animation, FIRST:LAST, or empty
     std::optional<double> frames_a_second;
+    std::optional<double> shutter;        ///< frames for which it is open, or as the scene says
+    std::optional<Projection> projection; ///< of its cameras, or as the scene says
     bool stats = false, quiet = false;
 };
 

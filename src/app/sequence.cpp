@@ -139,7 +139,7 @@ void ShotSession::load(const Shot& shot, const std::vector<fs::path>& outputs) {
     group_.reset(); // its memory first
     if (shot.at) options_.at = shot.at;
     Scene scene = load_scene(request_.scene, options_);
-    add_next_frame(scene, request_, options_);
+    add_motion(scene, request_, options_);
     check_outputs_not_read(outputs, request_, scene);
     if (!shot.film.empty()) check_not_read(shot.film, scene.files);
     load_seconds_ += timer.seconds();

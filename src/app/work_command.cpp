@@ -1,7 +1,6 @@
 #include "app/work_command.h"
 
 #include "app/film_request.h"
-#include "app/motion_request.h"
 #include "app/picture.h"
 #include "app/picture_files.h"
 #include "app/unit_renderer.h"
@@ -92,19 +91,12 @@ bool work(Worker& worker, const StopOnInterrupt& interrupt) {
     return true;
 }
 
-Scene load_scene_with_motion(const RenderRequest& request) {
-    const LoadOptions options = requested_load(request);
-    Scene scene = load_scene(request.scene, options);
-    add_next_frame(scene, request, options);
-    return scene;
-}
-
 bool work_in(const Store& store, const WorkRequest& request) {
     Machine machine = open_machine(request.render.machine);
     RenderRequest own = request.render;
     own.choices.noise = 0; // the scene's is left out, and its denoiser
     own.denoise = Denoiser::off;
-    Session session = open_session(machine, load_scene_with_motion(own), own);
+    Session session = open_session(machine, load_requested_scene(own), own);
     StopOnInterrupt interrupt;
     UnitRenderer renderer(session, request.render, interrupt);
     Worker worker(store, plan_of(request, renderer.header()), request.verify / 100,

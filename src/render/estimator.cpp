@@ -11,6 +11,7 @@ PathEstimator::PathEstimator(const RenderOptions& options, const SceneFeatures& 
              .state_columns = COLUMN_COUNT(PATH_COLUMNS),
              .connection_columns = COLUMN_COUNT(CONNECTION_COLUMNS)} {
     if (options.aovs >> AOV_UV & 1) shape_.defines.emplace_back("ONDE_UV=1");
+    if (scene.shutter) shape_.state_columns += COLUMN_COUNT(TIME_COLUMNS);
     if (scene.light_tree) shape_.state_columns += COLUMN_COUNT(RECEIVER_COLUMNS);
     if (!options.light_groups.empty()) shape_.connection_columns += COLUMN_COUNT(TARGET_COLUMNS);
     if (scene.dispersion) shape_.state_columns += COLUMN_COUNT(WAVE_COLUMNS);

@@ -71,6 +71,20 @@ static double free_way(const PackedScene& scene, const Camera& camera, double wi
     return way > FAR * height && std::isfinite(way) ? way : 0.0;
 }
 
+/// What is not rectilinear.
+static void set_projection(FrameRecord& frame, const Camera& camera, uint32_t width,
+                           uint32_t height) {
+    static_assert(uint32_t(Projection::rectilinear) == PROJECTION_RECTILINEAR);
+    static_assert(uint32_t(Projection::panorama) == PROJECTION_PANORAMA);
+    static_assert(uint32_t(Projection::fisheye) == PROJECTION_FISHEYE);
+    frame.projection = uint32_t(camera.projection);
+    const double turns = double(camera.fisheye_angle) / (2.0 * std::numbers::pi);
+    frame.fisheye_step = float(turns / std::min(width, height));
+    if (!is_wide(camera)) return;
+    frame.aperture_radius = 0.0f;
+    frame.orthographic = 0;
+}
+
 static void set_camera(FrameRecord& frame, const PackedScene& scene, const Camera& camera,
                        uint32_t width, uint32_t height) {
     const glm::vec3 right(camera.camera_to_world[0]), up(camera.camera_to_world[1]);
@@ -78,7 +92,7 @@ static void set_camera(FrameRecord& frame, const PackedScene& scene, const Camer
     const Window window = view_window(camera, glm::vec2(float(width), float(height)));
     frame.orthographic = camera.orthographic_height.has_value();
     glm::vec3 origin(camera.camera_to_world[3]);
-    if (frame.orthographic) {
+    if (frame.orthographic && frame.camera_mover == NO_INDEX) {
         const double way =
             free_way(scene, camera, double(window.step) * width, double(window.step) * height);
         if (way > 0.0) origin = glm::vec3(glm::dvec3(origin) + way * glm::dvec3(forward));
@@ -98,10 +112,23 @@ static void set_camera(FrameRecord& frame, const PackedScene& scene, const Camer
     const double turn = double(camera.aperture_rotation) / (2.0 * std::numbers::pi);
     frame.aperture_turn = float(turn - std::floor(turn));
     frame.focus_distance = distance;
+    set_projection(frame, camera, width, height);
 }
 
-void check_screen(const Camera& camera, uint32_t width, uint32_t height) {
-    if (!camera.screen) return;
+/// Throws InputError where the chapter's drawing can't show what the camera sees.
+static void check_projection(const Camera& camera, IntegratorKind integrator) {
+    const bool draws =
+        integrator == IntegratorKind::depth_buffer || integrator == IntegratorKind::painter;
+    if (draws && is_wide(camera))
+        throw InputError("--integrator {} draws by parallel rays, which no {} has; choose another "
+                         "--camera, or --integrator path",
+                         word_of(integrator), word_of(camera.projection));
+}
+
+void check_view(const Camera& camera, const RenderOptions& options) {
+    check_projection(camera, options.integrator);
+    if (!camera.screen || is_wide(camera)) return;
+    const uint32_t width = options.width, height = options.height;
     const double a = camera.screen->size.x, b = camera.screen->size.y;
     if (std::abs(a / width - b / height) <= 1e-5 * a / width) return;
     throw InputError("the camera's screen of {} x {} has pixels of {:.6g} x {:.6g} in a picture of "
@@ -117,6 +144,8 @@ static float turns_of(float radians) {
 FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
                        const RenderOptions& options) {
     FrameRecord frame{};
+    frame.camera_mover =
+        scene.camera_movers.empty() ? NO_INDEX : scene.camera_movers.at(options.camera);
     set_camera(frame, scene, camera, options.width, options.height);
     frame.width = options.width;
     frame.height = options.height;

@@ -9,9 +9,10 @@
 
 namespace onde {
 
-/// Throws InputError, with both numbers, when the camera's screen (C3) has no square pixels in a
-/// picture of this size.
-void check_screen(const Camera& camera, uint32_t width, uint32_t height);
+/// Throws InputError when the camera's screen (C3) has no square pixels in a picture of the
+/// options' size, with both numbers, and where their integrator has parallel rays and the camera is
+/// wide.
+void check_view(const Camera& camera, const RenderOptions& options);
 
 FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
                        const RenderOptions& options);

@@ -43,6 +43,7 @@ LightEstimator::LightEstimator(RenderBuffers& buffers, const Scene& scene,
       splats_(buffers.film.add_filled(
           "splats", size_t(options.width) * options.height * SPLAT_WORDS, uint32_t(0))),
       statistics_(buffers.film.add_filled("light statistics", 2 * LIGHT_STATISTICS, uint32_t(0))) {
+    if (features.shutter) shape_.state_columns += COLUMN_COUNT(TIME_COLUMNS);
     if (features.dispersion) shape_.state_columns += COLUMN_COUNT(WAVE_COLUMNS);
 }
 

@@ -1,9 +1,11 @@
 // Where a picture is seen from.
 #pragma once
 
+#include "core/enum_words.h"
 #include "scene/fields.h"
 
 #include <glm/glm.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <optional>
 #include <string>
@@ -27,6 +29,19 @@ constexpr auto fields_of(TypeTag<ScreenWindow>) {
               {.absent = "centred"})};
 }
 
+/// How directions become places of the picture.
+enum class Projection : uint32_t {
+    rectilinear, ///< straight lines stay straight, or rays are parallel
+    panorama,    ///< the whole sphere, equirectangular
+    fisheye,     ///< equidistant, in the largest circle of the picture
+};
+
+constexpr auto enum_words(Projection) {
+    return std::array{EnumWord{Projection::rectilinear, "rectilinear"},
+                      EnumWord{Projection::panorama, "panorama"},
+                      EnumWord{Projection::fisheye, "fisheye"}};
+}
+
 struct Camera {
     std::string name;
     glm::mat4 camera_to_world{1.0f};            ///< rotation and translation
@@ -38,7 +53,14 @@ struct Camera {
     std::optional<float> orthographic_height{}; ///< of the view: parallel rays, else a perspective
     std::optional<float> aspect_ratio{};        ///< width over height that is seen at the least
     std::optional<ScreenWindow> screen{};       ///< replaces vertical_fov
+    Projection projection = Projection::rectilinear; ///< what is not is seen from a point
+    float fisheye_angle = glm::pi<float>();          ///< radians, across the circle
 };
+
+/// Whether it sees more than a plane shows.
+inline bool is_wide(const Camera& camera) {
+    return camera.projection != Projection::rectilinear;
+}
 
 constexpr auto fields_of(TypeTag<Camera>) {
     using C = Camera;
@@ -67,7 +89,15 @@ constexpr auto fields_of(TypeTag<Camera>) {
               "width over height of a view that narrower pictures show whole, by seeing more above "
               "and below",
               {.range = POSITIVE, .absent = "the picture's"}),
-        field("screen", &C::screen, "a window before the eye instead of `vertical_fov`")};
+        field("screen", &C::screen, "a window before the eye instead of `vertical_fov`"),
+        field(
+            "projection", &C::projection,
+            "how directions become places of the picture: `\"panorama\"` shows the whole sphere, "
+            "its middle along the view axis, `\"fisheye\"` a circle in which angles from the axis "
+            "are lengths; both see from a point, without a lens"),
+        field("fisheye_angle", &C::fisheye_angle, "of view of a fisheye, across its circle",
+              {.range = {.low = 1, .high = 360}, .form = Form::degrees, .absent = "`180`"}),
+        LoaderKey{"motion", "tables", "where it is in time, see [motion](#motion)", "none"}};
 }
 
 } // namespace onde

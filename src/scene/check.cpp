@@ -303,6 +303,8 @@ void check_camera(const Camera& camera, size_t i) {
     check_fields(Scene{}, camera, "camera", i, camera.name);
     require(camera.aperture_blades == 0 || camera.aperture_blades >= 3, "camera", i, camera.name,
             "its aperture needs at least 3 blades, or 0 to be round");
+    require(!is_wide(camera) || (!camera.orthographic_height && !camera.screen), "camera", i,
+            camera.name, "a panorama or fisheye has neither a screen nor parallel rays");
     const glm::mat3 axes(camera.camera_to_world);
     require(is_unit(axes[0]) && is_unit(axes[1]) && is_unit(axes[2]) &&
                 std::abs(glm::determinant(axes) - 1.0f) < 1e-2f,

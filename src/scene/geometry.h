@@ -64,7 +64,9 @@ constexpr auto fields_of(TypeTag<Sphere>) {
     return std::tuple{field("center", &Sphere::center, "", {.form = Form::point}),
                       field("radius", &Sphere::radius, "", {.range = POSITIVE}),
                       field_without_key(&Sphere::material, "material", {.form = Form::material}),
-                      field_without_key(&Sphere::name, "name", {.form = Form::name})};
+                      field_without_key(&Sphere::name, "name", {.form = Form::name}),
+                      LoaderKey{"motion", "tables",
+                                "where its centre is in time, see [motion](#motion)", "none"}};
 }
 
 enum class ShapeKind : uint32_t { sphere, disk, cylinder, cone, torus };

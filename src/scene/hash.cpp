@@ -126,6 +126,10 @@ std::string scene_hash(const Scene& scene) {
     });
     add(hasher, scene.chapter.area_lights);
     add(hasher, scene.chapter.whitted);
+    if (scene.shutter)
+        for (const auto& things :
+             {scene.shutter->instances, scene.shutter->shapes, scene.shutter->cameras})
+            for (const MotionKeys& keys : things) add_span(hasher, keys);
     return hasher.hex();
 }
 

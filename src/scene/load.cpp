@@ -90,6 +90,7 @@ Scene load_uncompleted(const fs::path& path, const LoadOptions& options) {
                          path.string(), shown(options.animation));
     if (options.at && !context.is_animated())
         scene.notes.push_back("Nothing in the file is animated: it looks the same at any second.");
+    if (options.at && context.is_animated()) scene.moment = options.at;
     if (options.environment) {
         scene.environment = *options.environment;
         if (const auto& map = scene.environment.map)

@@ -54,7 +54,7 @@ struct LoadOptions {
     /// An added camera fits the scene at whatever angle it is turned about the vertical.
     bool all_round = false;
     std::optional<Stage> stage{}; ///< of an earlier load; else fitted to this one
-    bool only_shapes = false;     ///< of glTF files: their materials go without textures
+    bool only_shapes = false;     ///< of glTF and TOML files: no textures, no maps
     /// automatic: for models (files that are not TOML), and for scenes in which nothing emits but,
     /// at most, small details in emission textures; never beside another environment.
     Studio studio = Studio::automatic;

@@ -173,6 +173,13 @@ static Sentences notes_of(const Scene& scene, IntegratorKind integrator) {
 
 Sentences mapping_notes(const Scene& scene, IntegratorKind integrator) {
     Sentences notes = notes_of(scene, integrator);
+    const auto has_idle_lens = [](const Camera& c) { return is_wide(c) && c.aperture_radius > 0; };
+    if (std::ranges::any_of(scene.cameras, has_idle_lens))
+        notes.push_back("The lens of panoramas and fisheyes is left out: they see from a point.");
+    if (scene.shutter && !knows_time(integrator))
+        notes.push_back(fmt::format("What moves is as the shutter opens: --integrator {} blurs "
+                                    "nothing.",
+                                    word_of(integrator)));
     if (scene.environment.ground && integrator != IntegratorKind::path)
         notes.push_back(fmt::format("The ground is left out: --integrator {} does not know it.",
                                     word_of(integrator)));

@@ -24,7 +24,8 @@ bool same_triangles(const Mesh& a, const Mesh& b) {
     return a.positions.size() == b.positions.size() && a.triangles == b.triangles;
 }
 
-/// For each instance of the scene, that of the next one which it becomes.
+} // namespace
+
 std::vector<std::optional<size_t>> counterparts(const Scene& scene, const Scene& next) {
     std::vector<std::optional<size_t>> all(scene.instances.size());
     const auto theirs = by_name(next);
@@ -40,6 +41,8 @@ std::vector<std::optional<size_t>> counterparts(const Scene& scene, const Scene&
     }
     return all;
 }
+
+namespace {
 
 /// How a mesh becomes another of the same triangles: all its vertices move by `shift`, which poses
 /// far from 0 need double precision for, and each by a step of its own.

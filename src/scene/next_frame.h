@@ -31,6 +31,10 @@ struct NextFrame {
     float environment_rotation = 0.0f;         ///< of its map
 };
 
+/// For each instance of a scene, that of `next`, of the same file, which it becomes: things belong
+/// together as next_frame() says.
+std::vector<std::optional<size_t>> counterparts(const Scene& scene, const Scene& next);
+
 /// That of a scene in which nothing moves.
 NextFrame standing_still(const Scene& scene);
 

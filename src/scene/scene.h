@@ -12,6 +12,7 @@
 #include "scene/material.h"
 #include "scene/next_frame.h"
 #include "scene/settings.h"
+#include "scene/shutter.h"
 
 #include <filesystem>
 #include <string>
@@ -37,7 +38,9 @@ struct Scene {
     std::vector<DensityGrid> grids{}; ///< of media
     bool has_studio = false;          ///< the environment is the studio that loading has added
     std::vector<Camera> cameras;
-    std::optional<NextFrame> next{}; ///< of an animation, where it is asked for
+    std::optional<NextFrame> next{};        ///< of an animation, where it is asked for
+    std::optional<double> moment{};         ///< seconds, where the file says what moves after them
+    std::optional<ShutterMotion> shutter{}; ///< how it goes on from there, where that is asked for
     RenderSettings settings;
     ChapterScene chapter;
     std::vector<std::filesystem::path> files; ///< that it was read from, or may have been

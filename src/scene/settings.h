@@ -24,6 +24,11 @@ constexpr auto enum_words(IntegratorKind) {
                       EnumWord{IntegratorKind::painter, "painter"}};
 }
 
+/// Whether what moves while the shutter is open is blurred; else it is as the shutter opens.
+constexpr bool knows_time(IntegratorKind integrator) {
+    return integrator == IntegratorKind::path || integrator == IntegratorKind::light;
+}
+
 enum class Filter : uint32_t { box, tent, gaussian, blackman_harris };
 
 constexpr auto enum_words(Filter) {
@@ -61,7 +66,7 @@ inline constexpr Range FILM_SIZE{.low = 1, .high = 65535};
 struct RenderSettings {
     std::optional<uint32_t> width, height, samples, depth, seed;
     std::optional<Filter> filter;
-    std::optional<float> exposure, noise;
+    std::optional<float> exposure, noise, shutter;
     std::optional<ToneMap> tone_map;
     std::optional<IntegratorKind> integrator;
     std::optional<Background> background;
@@ -100,7 +105,11 @@ constexpr auto fields_of(TypeTag<RenderSettings>) {
         field("denoise", &S::denoise, "what takes the noise from the picture",
               {.absent = "`\"off\"`"}),
         field("clamp", &S::clamp, "the most radiance of a sample",
-              {.range = POSITIVE, .absent = "any"})};
+              {.range = POSITIVE, .absent = "any"}),
+        field("shutter", &S::shutter,
+              "seconds for which the shutter is open, from the moment that is rendered on: what "
+              "[moves](#motion) meanwhile is blurred",
+              {.range = {.low = 0, .high = 1e6}, .absent = "`0`"})};
 }
 
 } // namespace onde

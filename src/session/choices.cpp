@@ -150,8 +150,7 @@ ResolvedOptions resolve_options(const RenderChoices& choices, const Scene& scene
     options.filter = choices.filter.value_or(own.filter.value_or(options.filter));
     resolve_range(choices, options);
     options.camera = find_camera(choices.camera, scene);
-    if (!scene.cameras.empty())
-        check_screen(scene.cameras[options.camera], options.width, options.height);
+    if (!scene.cameras.empty()) check_view(scene.cameras[options.camera], options);
     resolve_depth(choices, own, resolved);
     resolve_film(choices, scene, resolved);
     options.engine = choices.engine.value_or(options.engine);

@@ -25,7 +25,7 @@ Session::Session(gpu::Programs& programs, Scene scene, SessionOptions options)
     : programs_(programs), scene_(std::move(scene)), options_(std::move(options)) {
     check_options(options_.render);
     check_light_groups(scene_, options_.render);
-    check_screen(camera(), options_.render.width, options_.render.height);
+    check_view(camera(), options_.render);
     for (const std::string& sentence : scene_.notes) note(sentence);
     note_mapping();
     complete_next_frame();
@@ -77,6 +77,8 @@ SceneFeatures Session::features_of(const PackedScene& packed) const {
     features.motion = packed.features.motion;
     features.split_texels = packed.features.split_texels;
     features.mip_textures = packed.features.mip_textures;
+    features.shutter = scene_.shutter && knows_time(options_.render.integrator);
+    features.projections |= packed.features.projections;
     return options_.further_features ? joined(features, *options_.further_features) : features;
 }
 

@@ -42,16 +42,18 @@ void Session::set_options(const RenderOptions& options) {
     if (options.camera >= scene_.cameras.size())
         throw InputError("there is no camera {}; the scene has {}", options.camera,
                          scene_.cameras.size());
-    check_screen(scene_.cameras[options.camera], options.width, options.height);
+    check_view(scene_.cameras[options.camera], options);
     const RenderOptions before = std::exchange(options_.render, options);
     const bool same_film = same_but_for_length(before, options);
     try {
         complete_next_frame();
+        placed_->set_features(features_of(placed_->packed()));
         if (!same_film) fit_waves(packed());
         if (options.width != before.width || options.integrator != before.integrator)
             denoiser_ = make_denoiser();
     } catch (...) {
         options_.render = before;
+        placed_->set_features(features_of(placed_->packed()));
         throw;
     }
     if (same_film) return;
@@ -61,9 +63,13 @@ void Session::set_options(const RenderOptions& options) {
 
 void Session::set_camera(const Camera& value) {
     check_camera(value, options_.render.camera);
-    check_screen(value, options_.render.width, options_.render.height);
+    check_view(value, options_.render);
     scene_.cameras[options_.render.camera] = value;
     if (scene_.next) scene_.next->cameras[options_.render.camera] = value;
+    if (is_wide(value) && !placed_->packed().features.projections) changed(SceneChange::materials);
+    if (scene_.shutter &&
+        !std::exchange(scene_.shutter->cameras[options_.render.camera], {}).empty())
+        changed(SceneChange::transforms);
     placed_->set_next_view(scene_);
     if (value.orthographic_height && !placed_->packed().bounds) placed_->set_bounds(scene_);
     if (integrator_ && !integrator_->set_camera(value)) integrator_.reset();
@@ -107,14 +113,18 @@ void Session::set_instance_transform(size_t index, const glm::mat4& object_to_wo
     check_transform(object_to_world, "instance", index);
     instance.object_to_world = object_to_world;
     if (scene_.next) scene_.next->instances[index] = {object_to_world};
-    changed(SceneChange::transforms);
+    // What moved was placed by itself.
+    const bool moved =
+        scene_.shutter && !std::exchange(scene_.shutter->instances[index], {}).empty();
+    changed(moved ? SceneChange::lights : SceneChange::transforms);
 }
 
 void Session::set_shape_transform(size_t index, const glm::mat4& object_to_world) {
     Shape& shape = find(scene_.shapes, index, "shape");
     check_transform(object_to_world, "shape", index);
     shape.object_to_world = object_to_world;
-    changed(SceneChange::transforms);
+    const bool moved = scene_.shutter && !std::exchange(scene_.shutter->shapes[index], {}).empty();
+    changed(moved ? SceneChange::lights : SceneChange::transforms);
 }
 
 void Session::changed(SceneChange change) {

@@ -60,6 +60,9 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(uint32_t, kinds, 0, KINDS, either)               /* bits by MATERIAL_... */            \
     FEATURE(uint32_t, lights, 0, LIGHTS, either)             /* bits by LIGHT_... */               \
     FEATURE(bool, motion, false, MOTION, data)               /* the next frame is known */         \
+    FEATURE(bool, shutter, false, SHUTTER, data) /* something moves while it is open */            \
+    FEATURE(bool, projections, false, PROJECTIONS,                                                 \
+            either) /* some camera sees more than a plane */                                       \
     FEATURE(bool, light_tree, false, LIGHT_TREE, data)                                             \
     FEATURE(uint32_t, stack_size, 1, STACK_SIZE, larger)                                           \
     FEATURE(bool, watertight, false, WATERTIGHT, data)

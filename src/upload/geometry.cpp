@@ -12,6 +12,13 @@
 namespace onde {
 namespace {
 
+/// How a thing moves while the shutter is open.
+std::span<const glm::mat4> keys_of(const Scene& scene,
+                                   std::vector<MotionKeys> ShutterMotion::*things, size_t index) {
+    if (!scene.shutter) return {};
+    return ((*scene.shutter).*things)[index];
+}
+
 bool mesh_emits(const Scene& scene, const Mesh& mesh) {
     for (uint32_t material : mesh.materials)
         if (emits(scene.materials[material])) return true;
@@ -36,7 +43,7 @@ class ShapeWriter {
   public:
     ShapeWriter(const Scene& scene, FlatGeometry& flat) : scene_(scene), flat_(flat) {}
 
-    void add(const Shape& shape, uint32_t object) {
+    void add(const Shape& shape, uint32_t object, std::span<const glm::mat4> keys) {
         const bool light = emits(scene_.materials[shape.material]);
         const auto key = std::tuple(shape.kind, shape.minor_radius, shape.material);
         const auto known = geometry_of_.find(key);
@@ -44,10 +51,12 @@ class ShapeWriter {
         const uint32_t geometry = shared ? known->second : add_geometry(shape);
         if (!shared) // hits of one that is placed once may have no instance
             flat_.objects.runs.push_back({uint32_t(flat_.surfaces.size() - 1), object});
-        if (light)
+        if (light) {
             flat_.emissive.push_back(emissive_shape(uint32_t(flat_.surfaces.size() - 1), shape));
+            if (!keys.empty()) flat_.emissive.back().light.reset();
+        }
         if (!light && !shared) geometry_of_.emplace(key, geometry);
-        flat_.placements.push_back({geometry, shape.object_to_world});
+        flat_.placements.push_back({geometry, shape.object_to_world, keys});
         flat_.objects.of_placement.push_back(object);
     }
 
@@ -76,7 +85,8 @@ class ShapeWriter {
     std::map<std::tuple<ShapeKind, float, uint32_t>, uint32_t> geometry_of_;
 };
 
-std::vector<bool> meshes_to_instance(const Scene& scene) {
+/// By instance, whether it is one in the tree too.
+std::vector<bool> instances_to_place(const Scene& scene) {
     std::vector<uint64_t> uses(scene.meshes.size());
     for (const Instance& instance : scene.instances) uses[instance.mesh]++;
     std::vector<bool> instanced(scene.meshes.size());
@@ -84,7 +94,23 @@ std::vector<bool> meshes_to_instance(const Scene& scene) {
         const uint64_t copies = uses[i] * scene.meshes[i].triangles.size();
         instanced[i] = uses[i] > 1 && copies > BAKED_COPIES && !mesh_emits(scene, scene.meshes[i]);
     }
-    return instanced;
+    std::vector<bool> placed;
+    for (size_t i = 0; i < scene.instances.size(); i++)
+        placed.push_back(instanced[scene.instances[i].mesh] ||
+                         !keys_of(scene, &ShutterMotion::instances, i).empty());
+    return placed;
+}
+
+/// Writes a mesh in its own space; returns its geometry. What of it emits, only rays find.
+uint32_t add_placed_mesh(const Scene& scene, const Mesh& mesh, FlatGeometry& flat) {
+    const auto first_primitive = uint32_t(flat.surfaces.size());
+    const size_t first_emissive = flat.emissive.size();
+    auto& positions = flat.positions.emplace_back();
+    auto& triangles = flat.triangles.emplace_back();
+    MeshWriter(scene, flat, positions, triangles).add(mesh, glm::mat4(1.0f));
+    for (size_t i = first_emissive; i < flat.emissive.size(); i++) flat.emissive[i].light.reset();
+    flat.geometries.push_back({positions, triangles, {}, first_primitive});
+    return uint32_t(flat.geometries.size() - 1);
 }
 
 } // namespace
@@ -94,7 +120,7 @@ FlatGeometry flatten_geometry(const Scene& scene) {
     flat.vertices.emplace_back();
     flat.uv_sets = used_uv_sets(scene);
     VertexAttributes(scene, flat).add(nullptr, 0, 0);
-    const std::vector<bool> instanced = meshes_to_instance(scene);
+    const std::vector<bool> placed = instances_to_place(scene);
 
     auto& positions = flat.positions.emplace_back();
     auto& triangles = flat.triangles.emplace_back();
@@ -107,7 +133,7 @@ FlatGeometry flatten_geometry(const Scene& scene) {
     const size_t first_shape = first_sphere + scene.spheres.size();
     for (size_t i = 0; i < scene.instances.size(); i++) {
         const Instance& instance = scene.instances[i];
-        if (instanced[instance.mesh]) continue;
+        if (placed[i]) continue;
         begin_run(i);
         baked.add(scene.meshes[instance.mesh], instance.object_to_world);
     }
@@ -116,28 +142,25 @@ FlatGeometry flatten_geometry(const Scene& scene) {
         add_sphere(scene, flat, scene.spheres[i]);
     }
     flat.geometries.push_back({positions, triangles, flat.spheres, 0});
-    flat.placements.push_back({0, glm::mat4(1.0f)});
+    flat.placements.push_back({0, glm::mat4(1.0f), {}});
     objects.of_placement.push_back(NO_INDEX);
 
-    std::vector<uint32_t> geometry_of(scene.meshes.size());
-    for (size_t i = 0; i < scene.meshes.size(); i++) {
-        if (!instanced[i]) continue;
-        const auto first_primitive = uint32_t(flat.surfaces.size());
-        auto& own_positions = flat.positions.emplace_back();
-        auto& own_triangles = flat.triangles.emplace_back();
-        MeshWriter(scene, flat, own_positions, own_triangles).add(scene.meshes[i], glm::mat4(1.0f));
-        geometry_of[i] = uint32_t(flat.geometries.size());
-        flat.geometries.push_back({own_positions, own_triangles, {}, first_primitive});
-    }
+    std::map<uint32_t, uint32_t> geometry_of; // by mesh, in the scene's order
+    for (size_t i = 0; i < scene.instances.size(); i++)
+        if (placed[i]) geometry_of[scene.instances[i].mesh] = 0;
+    for (auto& [mesh, geometry] : geometry_of)
+        geometry = add_placed_mesh(scene, scene.meshes[mesh], flat);
     for (size_t i = 0; i < scene.instances.size(); i++) {
+        if (!placed[i]) continue;
         const Instance& instance = scene.instances[i];
-        if (!instanced[instance.mesh]) continue;
-        flat.placements.push_back({geometry_of[instance.mesh], instance.object_to_world});
+        flat.placements.push_back({geometry_of.at(instance.mesh), instance.object_to_world,
+                                   keys_of(scene, &ShutterMotion::instances, i)});
         objects.of_placement.push_back(uint32_t(i));
     }
     ShapeWriter shapes(scene, flat);
     for (size_t i = 0; i < scene.shapes.size(); i++)
-        shapes.add(scene.shapes[i], uint32_t(first_shape + i));
+        shapes.add(scene.shapes[i], uint32_t(first_shape + i),
+                   keys_of(scene, &ShutterMotion::shapes, i));
     if (!flat.bulges.empty()) flat.bulges.resize(flat.surfaces.size());
     if (has_mip_textures(scene)) flat.uv_scales.resize(flat.surfaces.size());
     return flat;

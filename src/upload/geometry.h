@@ -13,7 +13,8 @@
 
 namespace onde {
 
-/// Geometry 0 is baked: everything that is placed once, is small or emits, in world space. Each
+/// Geometry 0 is baked: everything that is placed once, is small or emits, and does not move while
+/// the shutter is open, in world space. Each
 /// further geometry is a mesh or a shape in its own space, placed by the placements after the
 /// first.
 struct FlatGeometry {

@@ -89,6 +89,8 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.ground = packed.ground_share != glm::vec3(0.0f);
     features.environment = packed.environment_light != NO_INDEX;
     features.motion = scene.next.has_value();
+    features.shutter = scene.shutter.has_value();
+    features.projections = std::ranges::any_of(scene.cameras, is_wide);
     features.media = !packed.media.empty();
     features.absorption &= !features.media; // which are asked for it instead
     features.grids = !packed.grids.empty();
@@ -116,6 +118,22 @@ std::vector<gpu::BufferSize> PackedScene::device_buffers() const {
 uint64_t PackedScene::texture_bytes() const {
     const size_t words = texels.size() + texels1.size() + texels2.size() + texels3.size();
     return words * sizeof(uint32_t) + textures.size() * sizeof(TextureRecord);
+}
+
+/// Adds the instances whose motion the cameras have: from where the world is as the shutter opens
+/// to where it is seen from then on.
+static void add_camera_movers(PackedScene& packed, const Scene& scene) {
+    packed.camera_movers.clear();
+    if (!scene.shutter) return;
+    for (size_t i = 0; i < scene.cameras.size(); i++) {
+        const MotionKeys& keys = scene.shutter->cameras[i];
+        packed.camera_movers.push_back(NO_INDEX);
+        if (keys.empty()) continue;
+        const glm::dmat4 before = glm::inverse(glm::dmat4(scene.cameras[i].camera_to_world));
+        MotionKeys carried;
+        for (const glm::mat4& key : keys) carried.emplace_back(glm::dmat4(key) * before);
+        packed.camera_movers.back() = add_mover(packed.bvh, carried);
+    }
 }
 
 static void build_tree(PackedScene& packed, const FlatGeometry& flat, const BvhOptions& options) {
@@ -149,6 +167,7 @@ static void pack_appearance(PackedScene& packed, const Scene& scene) {
 static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry flat,
                           LightSampler sampler) {
     packed.bounds = bounds_for_parallel_rays(scene);
+    add_camera_movers(packed, scene);
     LightList lights = build_lights(scene, flat, sampler);
     packed.lights = std::move(lights.records);
     packed.light_tree = std::move(lights.tree);

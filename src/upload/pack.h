@@ -43,8 +43,9 @@ struct PackedScene : SceneArrays, MotionArrays {
     float environment_floor = 0, environment_scale[MAP_TABLES] = {1, 1}; ///< of PackedEnvironment
     std::vector<Camera> next_cameras{}; ///< at the next frame, where the scene has one
     float next_environment_rotation = 0.0f;
-    std::optional<Extent> bounds{}; ///< of the geometry, where a camera has parallel rays
-    glm::vec3 ground_share{0.0f};   ///< one over the irradiance that the ground receives
+    std::vector<uint32_t> camera_movers{}; ///< by camera, see FrameRecord; empty: none moves
+    std::optional<Extent> bounds{};        ///< of the geometry, where a camera has parallel rays
+    glm::vec3 ground_share{0.0f};          ///< one over the irradiance that the ground receives
     float ground_height = std::numeric_limits<float>::infinity(); ///< no ground: above all rays
     uint32_t environment_width = 0, environment_height = 0;       ///< 0 when it is constant
     ObjectMap objects;

@@ -75,6 +75,8 @@ inline SceneFeatures all_features(const SceneFeatures& own) {
     features.media = own.media;
     features.glow = own.glow;
     features.grids = own.grids;
+    features.shutter = own.shutter;
+    features.projections = own.projections;
     return features;
 }
 

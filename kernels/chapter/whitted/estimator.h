@@ -92,6 +92,9 @@ INLINE real3 estimator_ambient(Estimator e, TreeVertex v, State ray, mask lanes)
     const mask missed = missed_lanes(v, lanes), lit = lit_lanes(v, lanes);
     real3 color = zero3();
     if_any (missed) color = choose(missed, whitted_background(e.view, e.w, ray.direction), color);
+#if ONDE_PROJECTIONS // places of the film that show nothing
+    color = choose(nonzero3(ray.factor), color, zero3());
+#endif
     if_any (lit) color = choose(lit, ambient_light(e.w, v, phong_color(e.view, e.w, v)), color);
     return color;
 }
@@ -138,7 +141,7 @@ OUTLINED Step estimator_vertex(Estimator e, State ray, Hits hits, natural id, ui
 INLINE real3 estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
                                      natural way, natural id, uint bounce, mask lanes) {
     SpilledRays rays;
-    spill_rays(&rays, origin, direction);
+    spill_rays(&rays, e.view.bvh, origin, direction);
     float end[ONDE_WIDTH], through[ONDE_WIDTH];
     spill_real(end, distance);
     spill_real(through, (real)(0.0f));

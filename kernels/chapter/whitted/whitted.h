@@ -47,6 +47,9 @@ INLINE WhittedRay whitted_root(__global const FrameRecord* frame, natural pixel,
     ray.origin = camera.origin;
     ray.direction = camera.direction;
     ray.factor = splat3((real)(1.0f));
+#if ONDE_PROJECTIONS
+    ray.factor = choose(camera.shows, ray.factor, zero3());
+#endif
     ray.product = (real)(1.0f);
     ray.passed = (real)(0.0f);
     ray.kind = ray.level = (natural)(0u);

@@ -31,8 +31,11 @@ void Reader::transform_end() {
     const size_t depth = saved_.size();
     restore('T');
     if (saved_.size() == depth) return;
+    kept.start = state_.start;
+    kept.end = state_.end;
     kept.transform = state_.transform;
     kept.moves_start = state_.moves_start;
+    kept.moves_end = state_.moves_end;
     state_ = kept;
 }
 

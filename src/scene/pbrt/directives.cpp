@@ -35,10 +35,11 @@ const Reader::Directive Reader::DIRECTIVES[] = {
     {"Include", &Reader::include, "as in pbrt"},
     {"Import", &Reader::import, "as in pbrt"},
     {"WorldBegin", &Reader::world_begin, "as in pbrt"},
-    {"ActiveTransform", &Reader::active_transform, "the start's transforms alone, with a note"},
-    {"TransformTimes", &Reader::transform_times, "nothing"},
+    {"ActiveTransform", &Reader::active_transform, "motion, as in pbrt"},
+    {"TransformTimes", &Reader::transform_times, "its times, where no camera comes before"},
     {"Camera", &Reader::camera,
-     "a camera: `perspective` or `orthographic`; others are perspective, with a note"},
+     "a camera: `perspective`, `orthographic` or `spherical`, a panorama; others are perspective, "
+     "with a note. Its shutter, where something moves"},
     {"Film", &Reader::setting, "the picture's size"},
     {"Sampler", &Reader::setting, "samples per pixel"},
     {"Integrator", &Reader::setting, "one more surface than its `maxdepth`, which counts bounces"},
@@ -65,12 +66,12 @@ const Reader::Directive Reader::DIRECTIVES[] = {
     {"MediumInterface", &Reader::medium_interface,
      "what is inside of shapes that let light in, and around the camera"}};
 
-Reader::Reader(const fs::path& path, LoadContext& context)
+Reader::Reader(const fs::path& path, LoadContext& context, double moment)
     : path_(path), name_(path.string()), context_(context), cost_(context, name_),
       notes_(context.notes_of(path)),
       files_(path.has_parent_path() ? path.parent_path() : fs::path("."), context),
       sources_{context, files_, notes_}, scene_(context, name_),
-      textures_(scene_.assets(), sources_) {
+      textures_(scene_.assets(), sources_), moment_(moment) {
     materials_.push_back({"default", "diffuse", {}});
 }
 
@@ -94,6 +95,11 @@ Scene Reader::read() {
     for (SkyLight& light : sky_) light.light_to_world = glm::dmat3(to_ours) * light.light_to_world;
     if (!sky_.empty()) assets.environment = environment_of(std::move(sky_), context_, name_);
     Scene scene = scene_.finish(to_ours);
+    if (moves_) {
+        context_.found_animation();
+        scene.moment = moment_;
+        scene.settings.shutter = float(std::clamp(closes_ - opens_, 0.0, 1e6));
+    }
     const std::vector<std::string> sentences = notes_.sentences();
     scene.notes.insert(scene.notes.begin(), sentences.begin(), sentences.end());
     return scene;
@@ -193,13 +199,15 @@ glm::dmat4 Reader::matrix() {
 void Reader::camera() {
     const std::string kind = text("a kind of camera");
     const Parameters p = parameters();
-    coordinate_systems_["camera"] = glm::inverse(state_.transform);
-    const glm::dmat4& to_world = coordinate_systems_["camera"];
+    coordinate_systems_["camera"] = {glm::inverse(state_.start), glm::inverse(state_.end)};
+    const glm::dmat4 to_world = glm::inverse(state_.transform);
     const double volume = std::abs(glm::determinant(glm::dmat3(to_world)));
     if (!(volume > 0.0) || !std::isfinite(volume)) fail("has a transform without an inverse");
     if (camera_to_world_) return notes_.wrong("Of several cameras the first counts");
     camera_to_world_ = to_world;
     around_camera_ = state_.outside;
+    opens_ = p.number("shutteropen").value_or(opens_);
+    closes_ = p.number("shutterclose").value_or(closes_);
     glm::dmat4 looks_back = to_world;
     looks_back[2] = -looks_back[2];
     scene_.place_camera(camera_of(kind, p, scene_.assets().settings, notes_), looks_back);
@@ -238,9 +246,9 @@ void Reader::color_space() {
 
 void Reader::world_begin() {
     complete_settings(scene_.assets().settings);
-    state_.transform = glm::dmat4(1.0);
-    state_.moves_start = true;
-    coordinate_systems_["world"] = state_.transform;
+    state_.moves_start = state_.moves_end = true;
+    identity();
+    coordinate_systems_["world"] = {state_.start, state_.end};
 }
 
 void Reader::include() {

@@ -9,6 +9,7 @@
 #include "scene/mesh_parts.h"
 #include "scene/pbrt/light.h"
 #include "scene/pbrt/material.h"
+#include "scene/shutter.h"
 
 #include <filesystem>
 #include <map>
@@ -18,10 +19,14 @@ namespace onde::pbrt {
 
 class Reader {
   public:
-    /// All errors are InputErrors that name the file and the line.
-    Reader(const std::filesystem::path& path, LoadContext& context);
+    /// All errors are InputErrors that name the file and the line. moment: of what moves, in
+    /// seconds.
+    Reader(const std::filesystem::path& path, LoadContext& context, double moment);
 
     Scene read();
+
+    /// What was read says when the shutter opens, of files in which something moves.
+    std::optional<double> opening() const { return moves_ ? std::optional(opens_) : std::nullopt; }
 
     /// The directives, and what becomes of each.
     static std::vector<FileWord> directive_words();
@@ -29,12 +34,13 @@ class Reader {
   private:
     /// What directives change and AttributeEnd restores.
     struct State {
-        glm::dmat4 transform{1.0};
+        glm::dmat4 start{1.0}, end{1.0}; ///< at the two times of TransformTimes
+        glm::dmat4 transform{1.0};       ///< between them, at the moment
         bool is_reversed = false;
-        uint32_t material = 0;           ///< of materials_
-        int64_t area_light = -1;         ///< of area_lights_
-        std::string inside{}, outside{}; ///< media
-        bool moves_start = true;         ///< whether transforms are those of the shutter's opening
+        uint32_t material = 0;                     ///< of materials_
+        int64_t area_light = -1;                   ///< of area_lights_
+        std::string inside{}, outside{};           ///< media
+        bool moves_start = true, moves_end = true; ///< which of the two directives move
     };
     struct Directive {
         std::string_view name;
@@ -115,6 +121,9 @@ class Reader {
     void include();
     void import();
 
+    /// Changes the active ones of the two transforms, each by itself.
+    template <class Change>
+    void change(const Change& change);
     void apply(const glm::dmat4& by);
     void save(char kind);
     void restore(char kind);
@@ -158,7 +167,14 @@ class Reader {
 
     State state_;
     std::vector<std::pair<char, State>> saved_;
-    std::map<std::string, glm::dmat4> coordinate_systems_;
+    struct Ends {
+        glm::dmat4 start, end;
+    };
+    double moment_;
+    double start_time_ = 0.0, end_time_ = 1.0; ///< of the two transforms
+    double opens_ = 0.0, closes_ = 1.0;        ///< the shutter
+    bool moves_ = false;                       ///< something
+    std::map<std::string, Ends> coordinate_systems_;
     MaterialSources materials_;
     std::map<std::string, uint32_t> material_of_name_;
     std::vector<AreaLight> area_lights_;

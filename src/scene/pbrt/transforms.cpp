@@ -3,16 +3,29 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace onde::pbrt {
 
+template <class Change>
+void Reader::change(const Change& change) {
+    if (state_.moves_start) state_.start = change(state_.start);
+    if (state_.moves_end) state_.end = change(state_.end);
+    state_.transform = state_.start;
+    if (state_.start == state_.end) return;
+    moves_ = true;
+    const double length = end_time_ - start_time_;
+    const double share = length > 0.0 ? (moment_ - start_time_) / length : 0.0;
+    state_.transform = between(state_.start, state_.end, std::clamp(share, 0.0, 1.0));
+}
+
 void Reader::apply(const glm::dmat4& by) {
-    if (state_.moves_start) state_.transform = state_.transform * by;
+    change([&](const glm::dmat4& m) { return m * by; });
 }
 
 void Reader::identity() {
-    if (state_.moves_start) state_.transform = glm::dmat4(1.0);
+    change([](const glm::dmat4&) { return glm::dmat4(1.0); });
 }
 
 void Reader::translate() {
@@ -45,7 +58,7 @@ void Reader::look_at() {
 
 void Reader::transform() {
     const glm::dmat4 m = matrix();
-    if (state_.moves_start) state_.transform = m;
+    change([&](const glm::dmat4&) { return m; });
 }
 
 void Reader::concat_transform() {
@@ -53,7 +66,7 @@ void Reader::concat_transform() {
 }
 
 void Reader::coordinate_system() {
-    coordinate_systems_[text("a name")] = state_.transform;
+    coordinate_systems_[text("a name")] = {state_.start, state_.end};
 }
 
 void Reader::coordinate_system_transform() {
@@ -61,18 +74,19 @@ void Reader::coordinate_system_transform() {
     const auto found = coordinate_systems_.find(name);
     if (found == coordinate_systems_.end())
         return notes_.wrong("Coordinate systems that are not defined change nothing", name);
-    if (state_.moves_start) state_.transform = found->second;
+    const Ends ends = found->second;
+    change([&](const glm::dmat4& m) { return &m == &state_.start ? ends.start : ends.end; });
 }
 
 void Reader::active_transform() {
     const Token which = require(Token::Kind::word, "StartTime, EndTime or All");
     state_.moves_start = which.text != "EndTime";
-    if (which.text != "All") notes_.add("Nothing moves while the shutter is open");
+    state_.moves_end = which.text != "StartTime";
 }
 
 void Reader::transform_times() {
-    number();
-    number();
+    start_time_ = number();
+    end_time_ = number();
 }
 
 } // namespace onde::pbrt

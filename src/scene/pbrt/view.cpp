@@ -124,6 +124,13 @@ Camera camera_of(const std::string& kind, const Parameters& parameters,
         if (!centred) notes.add("Orthographic views have their axis in the middle");
         return camera;
     }
+    if (kind == "spherical") {
+        camera.projection = Projection::panorama;
+        if (parameters.text("mapping").value_or("equalarea") != "equirectangular")
+            notes.add("Spherical cameras of equal areas are equirectangular");
+        notes.add("Panoramas have the view axis in their middle, and are not mirrored");
+        return camera;
+    }
     if (kind != "perspective") notes.add("Cameras of other kinds are perspective", kind);
     camera.aperture_radius = float(std::max(parameters.number("lensradius").value_or(0.0), 0.0));
     const double fov = std::clamp(parameters.number("fov").value_or(90.0), 0.001, 179.9);
@@ -132,7 +139,6 @@ Camera camera_of(const std::string& kind, const Parameters& parameters,
         camera.vertical_fov = float(std::clamp(2.0 * std::atan(window[3] * scale), 1e-5, 3.14));
     else
         camera.screen = off_centre(window, scale, settings);
-    for (const char* name : {"shutteropen", "shutterclose"}) parameters.find(name);
     return camera;
 }
 

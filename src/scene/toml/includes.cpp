@@ -16,25 +16,50 @@ namespace onde {
 namespace fs = std::filesystem;
 namespace keys = toml_keys;
 
-/// The same in double precision, of things that are counted from a point far out.
-static glm::mat4 exact_placement(const TableReader& table, const glm::dvec3& from) {
-    const glm::dvec3 turn = radians_of(table.exact_vector("rotation").value_or(glm::dvec3(0.0)));
+/// What a table says of a place, in double precision; rotation in degrees.
+struct ExactPlace {
+    glm::dvec3 position, rotation, scale;
+};
+
+static ExactPlace exact_place(const TableReader& table) {
+    return {table.point("position").value_or(glm::dvec3(0.0) - table.origin()),
+            table.exact_vector("rotation").value_or(glm::dvec3(0.0)),
+            table.exact_vector("scale").value_or(glm::dvec3(1.0))};
+}
+
+/// The placement in double precision, of things that are counted from a point far out.
+static glm::mat4 exact_placement(const ExactPlace& place, const glm::dvec3& from) {
+    const glm::dvec3 turn = radians_of(place.rotation);
     glm::dmat4 m(1.0);
     m = glm::rotate(m, turn.z, glm::dvec3(0, 0, 1));
     m = glm::rotate(m, turn.y, glm::dvec3(0, 1, 0));
     m = glm::rotate(m, turn.x, glm::dvec3(1, 0, 0));
-    m = glm::scale(m, table.exact_vector("scale").value_or(glm::dvec3(1.0)));
-    const glm::dvec3 position = table.point("position").value_or(glm::dvec3(0.0) - table.origin());
-    m[3] = glm::dvec4(position + glm::dmat3(m) * from, 1.0);
+    m = glm::scale(m, place.scale);
+    m[3] = glm::dvec4(place.position + glm::dmat3(m) * from, 1.0);
     return glm::mat4(m);
 }
 
-glm::mat4 TomlScene::placement(const TableReader& table, const glm::dvec3& from) const {
+std::optional<Motion> TomlScene::motion_of(const TableReader& table,
+                                           std::initializer_list<std::string_view> keys) {
+    if (!table.has("motion")) return std::nullopt;
+    context_.found_animation();
+    scene_.moment = context_.options().at.value_or(0.0);
+    return Motion(table.tables("motion"), keys, *scene_.moment);
+}
+
+glm::mat4 TomlScene::placement(const TableReader& table, const glm::dvec3& from) {
     keys::Placement p{.position = glm::vec3(glm::dvec3(0.0) - table.origin())};
     read_fields(table, p);
     if (!std::isnormal(p.scale.x * p.scale.y * p.scale.z))
         table.fail("scale", "must not be 0 along any axis, nor extreme");
-    if (from != glm::dvec3(0.0)) return exact_placement(table, from);
+    if (const auto motion = motion_of(table, {"position", "rotation", "scale"})) {
+        const ExactPlace still = exact_place(table);
+        return exact_placement({motion->point("position", still.position),
+                                motion->vector("rotation", still.rotation),
+                                motion->vector("scale", still.scale)},
+                               from);
+    }
+    if (from != glm::dvec3(0.0)) return exact_placement(exact_place(table), from);
     glm::mat4 m = glm::translate(glm::mat4(1.0f), p.position);
     m = glm::rotate(m, p.rotation.z, glm::vec3(0, 0, 1));
     m = glm::rotate(m, p.rotation.y, glm::vec3(0, 1, 0));

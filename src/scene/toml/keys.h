@@ -64,7 +64,8 @@ constexpr auto fields_of(TypeTag<Placement>) {
     return std::tuple{
         field("position", &Placement::position, "", {.form = Form::point}),
         field("rotation", &Placement::rotation, "about X, then Y, then Z", {.form = Form::degrees}),
-        field("scale", &Placement::scale, "none of them 0", {.form = Form::color})};
+        field("scale", &Placement::scale, "none of them 0", {.form = Form::color}),
+        LoaderKey{"motion", "tables", "where it is in time, see [motion](#motion)", "none"}};
 }
 
 enum class ShapeType {

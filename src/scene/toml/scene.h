@@ -4,6 +4,7 @@
 
 #include "scene/merge.h"
 #include "scene/references.h"
+#include "scene/toml/motion.h"
 #include "scene/toml/reader.h"
 
 #include <filesystem>
@@ -78,8 +79,11 @@ class TomlScene {
     void add_rectangle_light(const TableReader& table);
     void add_disk_light(const TableReader& table);
     void add_sphere_light(const TableReader& table);
+    /// How a table's thing moves, at the moment of the load; nothing where it stands still.
+    std::optional<Motion> motion_of(const TableReader& table,
+                                    std::initializer_list<std::string_view> keys);
     /// What puts things into the scene that are counted from a point of their own.
-    glm::mat4 placement(const TableReader& table, const glm::dvec3& from = glm::dvec3(0.0)) const;
+    glm::mat4 placement(const TableReader& table, const glm::dvec3& from = glm::dvec3(0.0));
     /// The table states a placement if `is_placed`.
     void place(const TableReader& table, std::string_view key, const std::string& file,
                const Part& part, bool is_placed);

@@ -49,14 +49,18 @@ void TomlScene::add_baked(const TableReader& table, Mesh mesh, const glm::mat4& 
     const auto [found, is_new] =
         mesh_of_table_.try_emplace(table.where(), uint32_t(scene_.meshes.size()));
     if (is_new) scene_.meshes.emplace_back();
-    bake(mesh, transform);
-    scene_.instances.push_back({found->second, glm::mat4(1.0f), placed_name(table)});
+    const bool moves = table.has("motion"); // its mesh is the same at all moments
+    if (!moves) bake(mesh, transform);
+    scene_.instances.push_back(
+        {found->second, moves ? transform : glm::mat4(1.0f), placed_name(table)});
     scene_.meshes[found->second] = std::move(mesh);
 }
 
 void TomlScene::add_sphere(const TableReader& table, uint32_t material) {
     Sphere sphere{.center = glm::vec3(glm::dvec3(0.0) - table.origin()), .material = material};
     read_fields(table, sphere);
+    if (const auto motion = motion_of(table, {"center"}))
+        sphere.center = glm::vec3(motion->point("center", glm::dvec3(sphere.center)));
     sphere.name = placed_name(table);
     scene_.spheres.push_back(sphere);
 }
@@ -106,7 +110,7 @@ void TomlScene::add_rectangle(const TableReader& table, uint32_t material) {
         const glm::vec3 corner(-0.5f * x.x, -0.5f * y.y, 0.0f);
         return add_baked(table, rectangle_mesh(corner, x, y, material), placement(table));
     }
-    for (const char* key : {"position", "rotation", "scale", "size"})
+    for (const char* key : {"position", "rotation", "scale", "size", "motion"})
         if (table.has(key)) table.fail(key, "can't go with corner; use corner, edge1 and edge2");
     const glm::vec3 edge1 = table.require("edge1", rectangle.edge1);
     const glm::vec3 edge2 = table.require("edge2", rectangle.edge2);

@@ -68,7 +68,7 @@ Scene TomlScene::read(const TableReader& root) {
         forget_places();
         read_places(root.about(scene_.origin));
     }
-    read_textures(root);
+    if (!context_.options().only_shapes) read_textures(root);
     return std::move(scene_);
 }
 
@@ -119,10 +119,15 @@ static glm::dvec3 back_of(const glm::dvec3& position, const glm::dvec3& target) 
     return glm::length(back) > 0.0 ? back : position - target;
 }
 
+/// Where a camera is, and what it looks at.
+struct View {
+    glm::dvec3 position, target;
+    glm::vec3 up;
+};
+
 /// Rotation and translation of a camera at `position` that looks at a target, `back` from it.
 static glm::mat4 camera_to_world(const TableReader& table, const glm::vec3& position,
-                                 const glm::dvec3& back) {
-    const glm::vec3 up = table.vector("up").value_or(glm::vec3(0, 1, 0));
+                                 const glm::dvec3& back, const glm::vec3& up) {
     const double distance = glm::length(back);
     if (distance < 1e-20) table.fail("look_at", "must differ from position");
     const glm::dvec3 right = glm::cross(glm::dvec3(up), back / distance);
@@ -135,16 +140,28 @@ static glm::mat4 camera_to_world(const TableReader& table, const glm::vec3& posi
 
 void TomlScene::read_camera(const TableReader& table) {
     table.allow(keys_of<Camera>());
-    const glm::dvec3 position = table.require("position", table.point("position"));
-    const glm::dvec3 target = table.require("look_at", table.point("look_at"));
-    const glm::dvec3 back = back_of(position, target);
+    View view{table.require("position", table.point("position")),
+              table.require("look_at", table.point("look_at")),
+              table.vector("up").value_or(glm::vec3(0, 1, 0))};
+    if (const auto motion = motion_of(table, {"position", "look_at", "up"})) {
+        view.position = motion->point("position", view.position);
+        view.target = motion->point("look_at", view.target);
+        view.up = glm::vec3(motion->vector("up", glm::dvec3(view.up)));
+    }
+    const glm::dvec3 back = back_of(view.position, view.target);
     Camera camera;
-    camera.camera_to_world = camera_to_world(table, glm::vec3(position), back);
+    camera.camera_to_world = camera_to_world(table, glm::vec3(view.position), back, view.up);
     camera.vertical_fov = glm::radians(40.0f);
     camera.focus_distance = float(glm::length(back));
     read_fields(table, camera);
     for (const char* key : {"vertical_fov", "orthographic_height"})
         if (camera.screen && table.has(key)) table.fail(key, "can't go with screen; give one");
+    for (const char* key : {"vertical_fov", "orthographic_height", "screen"})
+        if (is_wide(camera) && table.has(key))
+            table.fail(key,
+                       fmt::format("can't go with a {}; leave it out", word_of(camera.projection)));
+    if (camera.projection != Projection::fisheye && table.has("fisheye_angle"))
+        table.fail("fisheye_angle", "is of fisheyes; give projection = \"fisheye\" too");
     scene_.cameras.push_back(camera);
 }
 
@@ -260,7 +277,7 @@ void TomlScene::read_environment(const TableReader& root) {
         environment.radiance = glm::vec3(1.0f);
         read_fields(table, environment);
         const auto map = table.text("map");
-        if (!map || environment.map) continue;
+        if (!map || environment.map || context_.options().only_shapes) continue;
         const fs::path file = context_.resolve(folder_, *map, table.where("map"));
         if (!fs::exists(file))
             table.fail("map", fmt::format("names '{}', which does not exist", *map));

@@ -40,7 +40,7 @@ typedef struct {
     uint environment_group;  // of lights
     float environment_floor; // the brightness up to which paths draw nothing of the map's pixels
     float environment_scale[2]; // of densities, over brightness, by MAP_...
-    float pad4, pad5;
+    uint first_sun, sun_count;  // directional lights that have a size, among the lights
     // Inverse cumulative distribution of the pixel filter, offsets in pixels.
     float filter_table[FILTER_TABLE_SIZE];
 } FrameRecord;

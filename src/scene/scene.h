@@ -52,4 +52,10 @@ void for_each_light_list(AnyScene& scene, const Visit& visit) {
 #undef ONDE_VISIT
 }
 
+/// Lights that no ray can find.
+inline size_t count_delta_lights(const Scene& scene) {
+    return scene.point_lights.size() + scene.spot_lights.size() + scene.photometric_lights.size() +
+           count_without_size(scene.directional_lights);
+}
+
 } // namespace onde

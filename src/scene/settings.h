@@ -40,6 +40,18 @@ constexpr auto enum_words(Background) {
                       EnumWord{Background::transparent, "transparent"}};
 }
 
+/// How paths choose one of many lights.
+enum class LightSampler {
+    automatic, ///< by the tree where there are many lights that have a place
+    power,     ///< by their power, whatever is lit
+    tree,      ///< by what they may send to the point that is lit
+};
+
+constexpr auto enum_words(LightSampler) {
+    return std::array{EnumWord{LightSampler::automatic, "auto"},
+                      EnumWord{LightSampler::power, "power"}, EnumWord{LightSampler::tree, "tree"}};
+}
+
 /// What takes the noise from a picture.
 enum class Denoiser {
     automatic,  ///< Open Image Denoise where its library is found, else our own
@@ -68,6 +80,7 @@ struct RenderSettings {
     std::optional<std::vector<std::string>> aov;
     std::optional<Denoiser> denoise;
     std::optional<float> clamp;
+    std::optional<LightSampler> light_sampler;
 };
 
 /// The keys of [render]; [film] has width and height as one.
@@ -100,7 +113,10 @@ constexpr auto fields_of(TypeTag<RenderSettings>) {
         field("denoise", &S::denoise, "what takes the noise from the picture",
               {.absent = "`\"off\"`"}),
         field("clamp", &S::clamp, "the most radiance of a sample",
-              {.range = POSITIVE, .absent = "any"})};
+              {.range = POSITIVE, .absent = "any"}),
+        field("light_sampler", &S::light_sampler,
+              "how a path chooses one of [many lights](lights.md#many-lights)",
+              {.absent = "`\"auto\"`"})};
 }
 
 } // namespace onde

@@ -65,17 +65,12 @@ INLINE Sampler light_sampler(__global const FrameRecord* frame, natural index, n
     return sampler_start(mul_hi(sample, paths_per_sample) + carry, number, frame->seed);
 }
 
-// The environment seen by the camera: a ray from the lens out of the scene.
-INLINE Connection connect_environment(SceneView view, Emission e, real2 lens, real2 pixel) {
+// Light from infinity seen by the camera: a ray from the lens out of the scene.
+INLINE Connection connect_infinity(SceneView view, Emission e, real2 lens, real2 pixel) {
     __global const FrameRecord* frame = view.frame;
     CameraLink link = link_along(view, negate3(e.direction), lens);
-    real3 shown = e.shown;
-    if (frame->orthographic) { // it sees one direction, which no other way would find
-        link = link_of_screen(view, lens);
-        const float pmf = view.lights[frame->environment_light].pmf;
-        shown = scale3(environment_radiance(view, negate3(link.direction)), (real)(1.0f / pmf));
-    }
-    Connection c = connect_film(frame, link, e.position, scale3(shown, link.importance), pixel,
+    if (frame->orthographic) link = link_of_screen(view, lens);
+    Connection c = connect_film(frame, link, e.position, scale3(e.shown, link.importance), pixel,
                                 e.infinite & link.valid);
     c.origin = link.camera;
     c.direction = negate3(link.direction);
@@ -95,11 +90,11 @@ INLINE Connection connect_light(SceneView view, Emission e, Sampler sampler) {
         c = connect_film(view.frame, link, origin, scale3(e.shown, cosine * link.importance), pixel,
                          e.surface & link.valid & (cosine > 0.0f));
     }
-#if ONDE_ENVIRONMENT
-    if_any (e.infinite) {
-        c = choose(e.infinite, connect_environment(view, e, lens, pixel), c);
+    if (HAS_FAR_LIGHT) {
+        if_any (e.infinite) {
+            c = choose(e.infinite, connect_infinity(view, e, lens, pixel), c);
+        }
     }
-#endif
     return c;
 }
 

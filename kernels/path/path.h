@@ -24,13 +24,37 @@ INLINE real found_weight(real bsdf_pdf, real light_pdf) {
     return choose(bsdf_pdf > 0.0f, power_heuristic(bsdf_pdf, light_pdf), (real)(1.0f));
 }
 
-INLINE real3 path_background(SceneView view, Path path) {
-    const FarLight far = environment_found(view, path.direction);
+// What of a far light's radiance counts on a path that has found it.
+INLINE real3 far_share(Path path, FarLight far) {
     real weight = found_weight(path.pdf, far.pdf);
 #if ONDE_GROUND
     weight = choose(path.pdf == GROUND_PDF, (real)(0.0f), weight);
 #endif
-    return mul3(path.throughput, scale3(far.radiance, weight));
+    return scale3(far.radiance, weight);
+}
+
+INLINE real3 path_background(SceneView view, Path path) {
+    real3 light = far_share(path, environment_found(view, path.direction));
+    if (HAS_LIGHT(SUN)) {
+        const uint first = view.frame->first_sun, count = view.frame->sun_count;
+        for (uint i = 0; i < count; i++)
+            light = add3(light, far_share(path, sun_found(view, first + i, path.direction)));
+    }
+    return mul3(path.throughput, light);
+}
+
+// The group of lights that the background's light belongs to: a sun's, where one is seen, since
+// what is behind it is dim.
+INLINE natural background_group(SceneView view, Path path) {
+    natural group = (natural)(view.frame->environment_group);
+    if (HAS_LIGHT(SUN)) {
+        const uint first = view.frame->first_sun, count = view.frame->sun_count;
+        for (uint i = 0; i < count; i++) {
+            const mask seen = nonzero3(sun_found(view, first + i, path.direction).radiance);
+            group = choose(seen, (natural)(view.lights[first + i].group), group);
+        }
+    }
+    return group;
 }
 
 // What the path's last vertex was when it sampled a light.
@@ -130,13 +154,11 @@ INLINE PathVertex path_surface(SceneView view, Path path, Hits hit, Sampler samp
     const mask found = lanes & (hit.primitive != BVH_NONE);
     const mask missed = lanes & !found;
     result.alive = found;
-#if ONDE_ENVIRONMENT
-    const bool is_seen = ONDE_BACKGROUND || bounce > 0;
+    const bool is_seen = HAS_FAR_LIGHT && (ONDE_BACKGROUND || bounce > 0);
     if (is_seen && mask_bits(missed))
         result.emitted = choose(missed, path_background(view, path), result.emitted);
-#endif
 #if ONDE_GROUPS
-    result.group = (natural)(view.frame->environment_group);
+    result.group = background_group(view, path);
 #endif
 #if ONDE_AOVS
     result.aovs = no_aovs();

@@ -13,6 +13,7 @@
 #include "shared/items.h"
 #include "shared/light_tracing.h"
 #include "shared/motion.h"
+#include "shared/profile.h"
 #include "shared/raster.h"
 #include "shared/scene.h"
 #include "shared/spectrum.h"
@@ -125,6 +126,8 @@
     OFFSET(FrameRecord, environment_scale)                                                         \
     OFFSET(FrameRecord, fisheye_step)                                                              \
     OFFSET(FrameRecord, camera_mover)                                                              \
+    OFFSET(FrameRecord, first_sun)                                                                 \
+    OFFSET(FrameRecord, sun_count)                                                                 \
     OFFSET(FrameRecord, filter_table)                                                              \
     SIZE(SpectrumKnot)                                                                             \
     OFFSET(SpectrumKnot, bend)                                                                     \
@@ -256,9 +259,18 @@
     OFFSET(SpotLightRecord, intensity)                                                             \
     OFFSET(SpotLightRecord, opening)                                                               \
     OFFSET(SpotLightRecord, steepness)                                                             \
+    SIZE(PhotometricLightRecord)                                                                   \
+    OFFSET(PhotometricLightRecord, position)                                                       \
+    OFFSET(PhotometricLightRecord, intensity)                                                      \
+    OFFSET(PhotometricLightRecord, turn)                                                           \
+    OFFSET(PhotometricLightRecord, opening)                                                        \
     SIZE(DirectionalLightRecord)                                                                   \
     OFFSET(DirectionalLightRecord, to_light)                                                       \
     OFFSET(DirectionalLightRecord, irradiance)                                                     \
+    SIZE(SunLightRecord)                                                                           \
+    OFFSET(SunLightRecord, to_light)                                                               \
+    OFFSET(SunLightRecord, radiance)                                                               \
+    OFFSET(SunLightRecord, opening)                                                                \
     SIZE(EnvironmentLightRecord)                                                                   \
     OFFSET(EnvironmentLightRecord, unused)                                                         \
     SIZE(LightRecord)                                                                              \
@@ -294,20 +306,27 @@
     OFFSET(LightRecord, as.spot.intensity)                                                         \
     OFFSET(LightRecord, as.spot.opening)                                                           \
     OFFSET(LightRecord, as.spot.steepness)                                                         \
+    OFFSET(LightRecord, as.photometric)                                                            \
+    OFFSET(LightRecord, as.photometric.position)                                                   \
+    OFFSET(LightRecord, as.photometric.intensity)                                                  \
+    OFFSET(LightRecord, as.photometric.turn)                                                       \
+    OFFSET(LightRecord, as.photometric.opening)                                                    \
     OFFSET(LightRecord, as.directional)                                                            \
     OFFSET(LightRecord, as.directional.to_light)                                                   \
     OFFSET(LightRecord, as.directional.irradiance)                                                 \
+    OFFSET(LightRecord, as.sun)                                                                    \
+    OFFSET(LightRecord, as.sun.to_light)                                                           \
+    OFFSET(LightRecord, as.sun.radiance)                                                           \
+    OFFSET(LightRecord, as.sun.opening)                                                            \
     OFFSET(LightRecord, as.environment)                                                            \
     OFFSET(LightRecord, as.environment.unused)                                                     \
     SIZE(LightBranch)                                                                              \
     OFFSET(LightBranch, center)                                                                    \
-    OFFSET(LightBranch, radius)                                                                    \
-    OFFSET(LightBranch, axis)                                                                      \
-    OFFSET(LightBranch, spread)                                                                    \
-    OFFSET(LightBranch, reach)                                                                     \
     OFFSET(LightBranch, power)                                                                     \
+    OFFSET(LightBranch, radius_reach)                                                              \
+    OFFSET(LightBranch, axis_xy)                                                                   \
+    OFFSET(LightBranch, axis_z_spread)                                                             \
     OFFSET(LightBranch, next)                                                                      \
-    OFFSET(LightBranch, unused)                                                                    \
     SIZE(TextureRecord)                                                                            \
     OFFSET(TextureRecord, offset)                                                                  \
     OFFSET(TextureRecord, coarser)                                                                 \

@@ -41,6 +41,23 @@ SCENE_PROBE(light_sample) {
     output_mask(items, 9, s.valid);
 }
 
+// In: direction (3). Out: of the scene's first light, a sun, radiance (3) and pdf.
+SCENE_PROBE(sun) {
+    const FarLight far = sun_found(view, 0u, input3(items, 0));
+    output(items, 0, far.radiance);
+    output(items, 3, far.pdf);
+}
+
+// In: direction (3), u (2). Out: of the profile of the scene's first light its value in the
+// direction; a direction that u samples (3), and the pdf of that.
+SCENE_PROBE(profile) {
+    const Profile profile = light_profile(view, (natural)(0u));
+    output(items, 0, profile_value(view, profile, input3(items, 0)));
+    const ProfileSample s = profile_sample(view, profile, input2(items, 3));
+    output(items, 1, s.direction);
+    output(items, 4, s.pdf);
+}
+
 // In: point (3), normal (3), u, a light, live or not. Out: the light that u chooses, its pmf, what
 // is left of u; the pmf of the other light.
 SCENE_PROBE(light_choice) {

@@ -9,12 +9,17 @@
 #include "shade/lights/directional.h"
 #include "shade/lights/disk.h"
 #include "shade/lights/environment.h"
+#include "shade/lights/photometric.h"
 #include "shade/lights/point.h"
 #include "shade/lights/sphere.h"
 #include "shade/lights/spot.h"
+#include "shade/lights/sun.h"
 #include "shade/lights/triangle.h"
 
 #define HAS_LIGHT(NAME) (ONDE_LIGHTS >> LIGHT_##NAME & 1u)
+
+// Whether rays that leave the scene may find light.
+#define HAS_FAR_LIGHT (ONDE_ENVIRONMENT || HAS_LIGHT(SUN))
 
 // A light by its probability (Vose 1991), from one uniform number; what is left of the number is
 // uniform again.
@@ -91,6 +96,10 @@ INLINE LightSample far_light_sample(SceneView view, real choice, real2 u, mask l
         const mask own = lanes & (kind == (uint)LIGHT_DIRECTIONAL);
         if_any (own) s = choose(own, directional_light_sample(view, c.light, zero3(), u), s);
     }
+    if (HAS_LIGHT(SUN)) {
+        const mask own = lanes & (kind == (uint)LIGHT_SUN);
+        if_any (own) s = choose(own, sun_light_sample(view, c.light, zero3(), u), s);
+    }
     if (HAS_LIGHT(ENVIRONMENT)) {
         const mask own = lanes & (kind == (uint)LIGHT_ENVIRONMENT);
         if_any (own) s = choose(own, sample_environment_light(view, u, MAP_WHOLE), s);
@@ -123,6 +132,13 @@ INLINE FarLight environment_found(SceneView view, real3 direction) {
     const uint light = view.frame->environment_light;
     FarLight far = environment_look(view, direction, MAP_COMPENSATED);
     far.pdf *= light == NO_INDEX ? 0.0f : view.lights[light].pmf;
+    return far;
+}
+
+// The same of one of the frame's suns.
+INLINE FarLight sun_found(SceneView view, uint light, real3 direction) {
+    FarLight far = sun_look(view, (natural)(light), direction);
+    far.pdf *= view.lights[light].pmf;
     return far;
 }
 

@@ -17,7 +17,16 @@ typedef struct {
 #if ONDE_LIGHT_TREE
 
     #define BRANCH(view, branch, field) RECORD(view.light_tree, branch, LightBranch, field)
+    #define BRANCH_WORD(view, branch, field)                                                       \
+        RECORD_NATURAL(view.light_tree, branch, LightBranch, field)
     #define BRANCH3(view, branch, field) RECORD3(view.light_tree, branch, LightBranch, field)
+
+INLINE real upper_number(natural word) {
+    return as_real(word & 0xffff0000u);
+}
+INLINE real lower_number(natural word) {
+    return as_real(word << 16);
+}
 
 INLINE SineCosine angle_of(real cosine) {
     SineCosine a;
@@ -36,28 +45,32 @@ INLINE SineCosine angle_beyond(SineCosine a, SineCosine b) {
 }
 
 // A bound of what lights of power 1 in the branch send to the receiver: one over the squared
-// distance to them, times the cosines that are the best possible for them and for the receiver.
-// Closer than their sphere's radius it grows no more.
+// distance to them, times the cosines that are the best possible for them and, nearly, for the
+// receiver. Closer than their sphere's radius it grows no more.
 INLINE real branch_reach(SceneView view, natural branch, Receiver at) {
-    const real radius = BRANCH(view, branch, radius);
+    const natural radius_reach = BRANCH_WORD(view, branch, radius_reach);
+    const natural axis_xy = BRANCH_WORD(view, branch, axis_xy);
+    const natural axis_z_spread = BRANCH_WORD(view, branch, axis_z_spread);
+    const real radius = upper_number(radius_reach);
+    const real3 axis =
+        make3(upper_number(axis_xy), lower_number(axis_xy), upper_number(axis_z_spread));
+
     const real3 to = sub3(BRANCH3(view, branch, center), at.position);
     const real distance2 = max_real(dot3(to, to), (real)(1e-30f));
-    const real3 way = scale3(to, 1.0f / sqrt(distance2));
-    const real radius2 = radius * radius;
+    const real nearness = 1.0f / sqrt(distance2), radius2 = radius * radius;
     const mask inside = distance2 <= radius2;
     SineCosine seen; // half the angle under which the sphere is seen
-    seen.sine = sqrt(min_real(radius2 / distance2, (real)(1.0f)));
+    seen.sine = min_real(radius * nearness, (real)(1.0f));
     seen.cosine = safe_sqrt(1.0f - seen.sine * seen.sine);
 
-    const real3 axis = BRANCH3(view, branch, axis);
-    const SineCosine spread = angle_of(BRANCH(view, branch, spread));
-    const SineCosine off = angle_beyond(angle_of(-dot3(axis, way)), spread);
+    const SineCosine spread = angle_of(lower_number(axis_z_spread));
+    const SineCosine off = angle_beyond(angle_of(-(dot3(axis, to) * nearness)), spread);
     const real leaving = choose(inside, (real)(1.0f), angle_beyond(off, seen).cosine);
-    const real arriving = angle_beyond(angle_of(dot3(at.normal, way)), seen).cosine;
+    const real arriving = fma(dot3(at.normal, to) * nearness, seen.cosine, seen.sine);
     const mask anywhere = inside | !nonzero3(at.normal);
-    const real cosine = leaving * choose(anywhere, (real)(1.0f), max_real(arriving, (real)(0.0f)));
+    const real cosine = leaving * choose(anywhere, (real)(1.0f), clamp_real(arriving, 0.0f, 1.0f));
 
-    const mask shines = leaving > BRANCH(view, branch, reach);
+    const mask shines = leaving > lower_number(radius_reach);
     const real lit = choose(shines, cosine / max_real(distance2, radius2), (real)(0.0f));
     return choose(radius < 0.0f, (real)(1.0f), lit);
 }
@@ -95,11 +108,13 @@ INLINE LightChoice tree_choice(SceneView view, Receiver at, real* u, mask lanes)
     return c;
 }
 
-// The probability with which tree_choice takes a light.
+// The probability with which tree_choice takes a light; 0 outside of the tree.
 INLINE real tree_pmf(SceneView view, natural light, Receiver at, mask lanes) {
     real product = (real)(1.0f);
     natural trail = RECORD_NATURAL(view.lights, light, LightRecord, trail);
     natural pair = (natural)(0u);
+    const mask outside = trail == LIGHT_OUTSIDE_TREE;
+    lanes = lanes & !outside;
     while (mask_bits(lanes)) {
         const natural side = trail & 1u;
         const real first = first_branch_pmf(view, pair, at);
@@ -110,7 +125,7 @@ INLINE real tree_pmf(SceneView view, natural light, Receiver at, mask lanes) {
         pair = choose(lanes, next, pair);
         trail = trail >> 1;
     }
-    return product;
+    return choose(outside, (real)(0.0f), product);
 }
 
 #endif

@@ -220,9 +220,20 @@ typedef struct {
     float steepness; // of the way to full intensity, by cosine
 } SpotLightRecord;
 typedef struct {
+    float position[3];
+    float intensity[3]; // times its profile's numbers
+    float turn[4];      // unit quaternion from the profile's space to the world
+    float opening;      // 1 - cosine of the angle to its axis beyond which it is dark
+} PhotometricLightRecord;
+typedef struct {
     float to_light[3]; // unit
     float irradiance[3];
 } DirectionalLightRecord;
+typedef struct {
+    float to_light[3]; // unit, to its middle
+    float radiance[3];
+    float opening; // 1 - cosine of half the angle under which it is seen
+} SunLightRecord;
 typedef struct {
     float unused; // what it is stands in the frame
 } EnvironmentLightRecord;
@@ -235,7 +246,9 @@ typedef struct {
     LIGHT(DISK, disk, DiskLightRecord)                                                             \
     LIGHT(POINT, point, PointLightRecord)                                                          \
     LIGHT(SPOT, spot, SpotLightRecord)                                                             \
+    LIGHT(PHOTOMETRIC, photometric, PhotometricLightRecord)                                        \
     LIGHT(DIRECTIONAL, directional, DirectionalLightRecord)                                        \
+    LIGHT(SUN, sun, SunLightRecord)                                                                \
     LIGHT(ENVIRONMENT, environment, EnvironmentLightRecord)
 #define LIGHT_INDEX(NAME, name, Record) LIGHT_##NAME,
 enum { LIGHT_TYPES(LIGHT_INDEX) LIGHT_TYPE_COUNT };
@@ -247,7 +260,7 @@ typedef struct {
     float alias_below; // stay here when the choice's fraction is below, else take alias
     uint alias;
     uint material; // that emits; 0 where the light has no surface
-    uint surface;  // its SurfaceRecord; likewise
+    uint surface;  // its SurfaceRecord; likewise; of a photometric light, its profile's first word
     uint group;    // of lights
     uint trail;    // to its leaf in the light tree, see there
     union {
@@ -256,23 +269,26 @@ typedef struct {
 } LightRecord;
 
 // The light tree is a list of pairs of branches: those of the root, of which every light is below
-// one, then those of each branch that has more than one light. 48 bytes a branch: what bounds its
-// lights, by which its importance to a point is judged (Conty Estevez and Kulla 2018, Importance
-// Sampling of Many Lights with Adaptive Tree Splitting).
+// one, then those of each branch that has more than one light. A branch has what bounds its lights,
+// by which its importance to a point is judged (Conty Estevez and Kulla 2018, Importance Sampling
+// of Many Lights with Adaptive Tree Splitting). A pair is 64 bytes, since reading it is what most
+// of the time goes to: words of two numbers have floats of 16 bits, the upper halves of longer
+// ones, the first in the upper half.
 typedef struct {
     float center[3];
-    float radius;  // of a sphere around them; negative: their power is their importance everywhere
-    float axis[3]; // unit; their normals lie in a cone about it
-    float spread;  // the cosine of the cone's half angle
-    float reach;   // the cosine of the angle to their normals beyond which they send nothing
-    float power;   // a share of that of all lights
-    uint next;     // the first of the pair below, or LIGHT_LEAF and the index of the one light
-    uint unused;
+    float power;        // a share of that of all lights
+    uint radius_reach;  // of a sphere around them, negative where their power is their importance
+                        // everywhere; the cosine of the angle to their normals beyond which they
+                        // send nothing
+    uint axis_xy;       // unit; their normals lie in a cone about it
+    uint axis_z_spread; // the cosine of the cone's half angle
+    uint next;          // the first of the pair below, or LIGHT_LEAF and the index of the one light
 } LightBranch;
 #define LIGHT_LEAF 0x80000000u
 
 // A light's trail: by bits from the lowest, which branch of each pair from the root on it is below.
-#define MOST_LIGHT_LEVELS 32u
+#define MOST_LIGHT_LEVELS 31u
+#define LIGHT_OUTSIDE_TREE 0x80000000u // of lights too dim to be sampled; rays may find them
 
 #define WRAP_REPEAT 0u
 #define WRAP_CLAMP 1u
@@ -320,6 +336,7 @@ typedef struct {
 // octahedral, with the lowest bit replaced by the sign of the bitangent.
 // bulges: by surface, of scenes with curved triangles; see src/upload/bulge.h.
 // albedos: tables of shared/albedo.h; the first is that of reflection.
+// profiles: how photometric lights shine by direction; see shared/profile.h.
 // media: of scenes that have some; the first is what is around everything.
 // grids, voxels: of media that are not as dense everywhere; see GridRecord.
 // spectrum: of scenes that disperse light; see shared/spectrum.h.
@@ -340,6 +357,7 @@ typedef struct {
     BUFFER(SpectrumKnot, spectrum, "spectrum of dispersed light")                                  \
     BUFFER(LightRecord, lights, "lights")                                                          \
     BUFFER(LightBranch, light_tree, "light tree")                                                  \
+    BUFFER(uint, profiles, "profiles of lights")                                                   \
     BUFFER(TextureRecord, textures, "texture records")                                             \
     BUFFER(uint, texels, "texels")                                                                 \
     BUFFER(float, srgb, "sRGB table")                                                              \

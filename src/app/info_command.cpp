@@ -75,6 +75,9 @@ std::string vector_text(const glm::vec3& v) {
 std::string environment_text(const Environment& environment) {
     const std::string radiance = vector_text(environment.radiance);
     if (!environment.map) return "radiance " + radiance;
+    if (const auto& sky = environment.sky)
+        return fmt::format("daylight, the sun at {:.4g} degrees, turbidity {:.4g}, times {}",
+                           glm::degrees(sky->elevation), sky->turbidity, radiance);
     return fmt::format("map {} x {}, times {}", environment.map->width, environment.map->height,
                        radiance);
 }
@@ -235,10 +238,16 @@ void print_json(const Scene& scene, const SceneSummary& summary, const DeviceMem
                    {"grids", scene.grids.size()},
                    {"grid_bytes", summary.grid_bytes},
                    {"point_lights", scene.point_lights.size()},
+                   {"spot_lights", scene.spot_lights.size()},
+                   {"photometric_lights", scene.photometric_lights.size()},
                    {"directional_lights", scene.directional_lights.size()},
+                   {"suns",
+                    scene.directional_lights.size() - count_without_size(scene.directional_lights)},
                    {"area_lights", json_counts(summary.area_lights)},
                    {"environment_radiance", json_vector(scene.environment.radiance)},
                    {"environment_map", scene.environment.map.has_value()},
+                   {"daylight",
+                    scene.environment.sky ? json_fields(*scene.environment.sky) : Json(nullptr)},
                    {"cameras", json_cameras(scene.cameras)},
                    {"settings", json_fields(scene.settings)},
                    {"bounds", Json::array({json_vector(bounds.low), json_vector(bounds.high)})},

@@ -95,9 +95,10 @@ void declare_estimator(Command& command, RenderRequest& r) {
                    {.value = "N"});
     command.choice("--filter", r.choices.filter, "Pixel filter (blackman-harris)");
     command.choice(
-        "--light-sampler", r.lights.sampler,
+        "--light-sampler", r.light_sampler,
         "How a path chooses one of many lights: by its power, or by what it may send to "
-        "the\npoint that is lit, down a tree of bounds (auto: the tree for many lights)");
+        "the\npoint that is lit, down a tree of bounds (the scene's, else auto: the tree for many "
+        "lights)");
     command.choice("--bvh", r.bvh.builder,
                    "Tree of boxes: fast to build (sah), fast to traverse (high), or a plain one to "
                    "compare with");

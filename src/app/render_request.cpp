@@ -202,8 +202,9 @@ Session open_session(Machine& machine, Scene scene, const RenderRequest& request
         for (Camera& camera : scene.cameras) set_projection(camera, *request.projection);
     const ResolvedOptions resolved = resolve_options(choices, scene, machine.device.facts());
     scene.notes.insert(scene.notes.end(), resolved.notes.begin(), resolved.notes.end());
-    SessionOptions options{
-        .render = resolved.options, .bvh = request.bvh, .lights = request.lights};
+    SessionOptions options{.render = resolved.options, .bvh = request.bvh};
+    options.lights.sampler = request.light_sampler.value_or(
+        scene.settings.light_sampler.value_or(LightSampler::automatic));
     options.bvh.layout = request.layout.value_or(BvhLayout::wide);
     options.choose_layout = !request.layout;
     options.denoiser = denoiser;

@@ -44,7 +44,7 @@ struct RenderRequest {
     std::string size;              ///< WIDTHxHEIGHT, or empty
     RenderChoices choices;
     BvhOptions bvh;
-    LightOptions lights;
+    std::optional<LightSampler> light_sampler;
     std::optional<BvhLayout> layout;
     std::string environment;
     MachineRequest machine;

@@ -30,6 +30,18 @@ inline Scene sphere_scene(bool two_sided) {
     return scene;
 }
 
+/// Shines up to 60 degrees from straight down, most on one side.
+inline PhotometricLight lopsided_lamp(glm::vec3 position, float intensity) {
+    PhotometricLight lamp{.position = position, .intensity = glm::vec3(intensity)};
+    lamp.profile.rows = 6;
+    lamp.profile.columns = 4;
+    lamp.profile.candela.clear();
+    for (const float row : {900.0f, 600.0f, 200.0f, 0.0f, 0.0f, 0.0f, 0.0f})
+        for (const float side : {1.0f, 0.5f, 0.25f, 0.75f})
+            lamp.profile.candela.push_back(row == 900.0f ? row : row * side);
+    return lamp;
+}
+
 /// A light of every type.
 inline Scene every_light() {
     Scene scene = triangle_scene(true);
@@ -42,12 +54,14 @@ inline Scene every_light() {
     scene.shapes.push_back(disk);
     scene.point_lights.push_back({{0, -4, 3}, {10, 20, 30}});
     scene.spot_lights.push_back({{0, 0, 5}, {0, 0, 1}, glm::vec3(4)});
+    scene.photometric_lights.push_back(lopsided_lamp({0.5f, 5, 0}, 10));
     scene.directional_lights.push_back({{0, 0.8f, 0.6f}, {1, 2, 3}});
+    scene.directional_lights.push_back({{0.6f, 0, -0.8f}, {3, 2, 1}, 0.1f});
     scene.environment.radiance = glm::vec3(0.5f);
     return scene;
 }
 
-/// Lights of all types that have a place, in a cube of that side, and two that have none.
+/// Lights of all types that have a place, in a cube of that side, and three that have none.
 inline Scene many_lights(size_t count, float side = 10) {
     Generator generator(74);
     const auto place = [&] {
@@ -57,7 +71,11 @@ inline Scene many_lights(size_t count, float side = 10) {
     for (size_t i = 0; i < count; i++) {
         const glm::vec3 at = place(), way = unit_vector(generator);
         const Material glow = emitter(std::exp2(4 * unit(generator)), i % 10 == 5);
-        if (i % 5 == 0) {
+        if (i % 10 == 5) {
+            scene.photometric_lights.push_back(lopsided_lamp(at, glow.emission.x));
+            scene.photometric_lights.back().back = way;
+            scene.photometric_lights.back().start = unit_vector(generator);
+        } else if (i % 5 == 0) {
             scene.point_lights.push_back({at, glow.emission});
         } else if (i % 5 == 1) {
             SpotLight spot{at, way, glow.emission};
@@ -72,6 +90,7 @@ inline Scene many_lights(size_t count, float side = 10) {
         }
     }
     scene.directional_lights.push_back({{0, 0.8f, 0.6f}, {1, 2, 3}});
+    scene.directional_lights.push_back({{0.6f, 0.8f, 0}, {1, 2, 3}, 0.2f});
     scene.environment.radiance = glm::vec3(0.5f);
     return scene;
 }

@@ -1,6 +1,7 @@
 // Lights of every type: how often each is chosen, where it is sampled, and the density with which
 // a ray finds it.
 #include "doctor/checks.h"
+#include "doctor/far_rig.h"
 #include "doctor/light_rig.h"
 #include "doctor/sky_rig.h"
 #include "doctor/tally.h"
@@ -129,8 +130,10 @@ void check_every_type(Tally& tally, const Probes& probes) {
         (samples.distance[i] > 1e20f ? far : near) += samples.delta[i];
     }
     const double count = double(probes.count), margin = 5 * 0.5 / std::sqrt(count);
-    tally.expect_near(near / count, lights[LIGHT_POINT].pmf + lights[LIGHT_SPOT].pmf, margin,
-                      "the share of point and spot lights");
+    tally.expect_near(near / count,
+                      lights[LIGHT_POINT].pmf + lights[LIGHT_SPOT].pmf +
+                          lights[LIGHT_PHOTOMETRIC].pmf,
+                      margin, "the share of lights without size");
     tally.expect_near(far / count, lights[LIGHT_DIRECTIONAL].pmf, margin,
                       "the share of directional lights");
     size_t found = 0;
@@ -171,6 +174,48 @@ void check_delta(Tally& tally, const Probes& probes) {
     tally.expect_near(far.radiance[0].z, 3, 0, "what a directional light sends");
 }
 
+/// A sun is sampled all over its disk, and found there with the density of that.
+void check_sun(Tally& tally, const Probes& probes) {
+    const glm::vec3 to_sun(0.6f, 0, -0.8f);
+    for (const float angle : {0.01f, 1.0f}) {
+        Scene scene = scene_with_a_speck();
+        scene.directional_lights.push_back({to_sun, {1, 2, 3}, angle});
+        SceneProbe probe = probes.of(scene, {"light_sample", "sun"});
+        const LightSamples samples = sample(probe, {0, 0, 0}, probes.count);
+        const double opening = 2 * std::pow(std::sin(0.25 * double(angle)), 2);
+        tally.expect_none(disk_failure(samples, to_sun, opening, 1e-6), "samples of a sun");
+        const Columns found = look_at_sun(probe, samples.direction);
+        for (size_t i = 0; i < samples.pdf.size(); i++) {
+            if (found[3][i] == 0) continue; // beside the rim by rounding
+            tally.expect_near(found[3][i], samples.pdf[i], 1e-5 * double(samples.pdf[i]),
+                              "the density of a ray that finds a sun");
+            tally.expect_near(found[2][i], samples.radiance[i].z, 0, "what is seen of a sun");
+        }
+        const auto missed = size_t(std::ranges::count(found[3], 0.0f));
+        tally.expect(missed < samples.pdf.size() / 500 + 2,
+                     [&] { return fmt::format("{} samples of a sun do not find it", missed); });
+    }
+}
+
+/// A photometric light sends what its profile says, and emits into each direction as likely as it
+/// says.
+void check_profile(Tally& tally, const Probes& probes) {
+    Scene scene = scene_with_a_speck();
+    scene.photometric_lights.push_back(lopsided_lamp({0, 0, 0}, 683));
+    SceneProbe probe = probes.of(scene, {"light_sample", "profile"});
+    const auto below = [&](float angle) { // toward -Z: 90 degrees around
+        return sample(probe, 2.0f * glm::vec3(0, -std::cos(angle), -std::sin(angle)), 16);
+    };
+    tally.expect_near(below(0).radiance[0].x, 900.0 / 4, 1e-2, "what a lamp sends along its axis");
+    const auto degrees = [](float d) { return d * float(M_PI) / 180; };
+    tally.expect_near(below(degrees(15)).radiance[0].x, (900 + 300) / 8.0, 1e-2,
+                      "what a lamp sends between measured angles");
+    tally.expect_near(below(degrees(100)).valid[0], 0, 0, "whether a lamp shines upward");
+    tally.expect_none(
+        profile_failure(probe, scene.photometric_lights[0].profile, probes.count, 1e-6),
+        "directions into which a lamp emits");
+}
+
 void check_sky(Tally& tally, const Probes& probes) {
     for (const float rotation : {0.0f, 2.0f}) {
         SceneProbe probe = probes.of(sky::make_sky(rotation), {"environment"});
@@ -203,6 +248,8 @@ Finding check_lights(const CheckContext& context) {
     check_tree(tally, probes);
     check_every_type(tally, probes);
     check_delta(tally, probes);
+    check_sun(tally, probes);
+    check_profile(tally, probes);
     check_sky(tally, probes);
     return tally.finding("tests fail");
 }

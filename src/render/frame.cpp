@@ -155,6 +155,8 @@ FrameRecord make_frame(const PackedScene& scene, const Camera& camera,
     frame.light_count = uint32_t(scene.lights.size());
     frame.environment_light = scene.environment_light;
     frame.environment_group = scene.environment_group;
+    frame.first_sun = scene.suns.first;
+    frame.sun_count = scene.suns.count;
     frame.environment_width = scene.environment_width;
     frame.environment_height = scene.environment_height;
     frame.environment_floor = scene.environment_floor;

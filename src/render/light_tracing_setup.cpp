@@ -30,6 +30,14 @@ double brightest_light(const Scene& scene) {
                         brightest = std::max(brightest, largest(value));
             });
     });
+    for (const DirectionalLight& light : scene.directional_lights)
+        if (has_size(light)) {
+            const float sine = std::sin(0.5f * light.angle); // its radiance is seen
+            brightest = std::max(brightest, largest(light.irradiance) / (3.0f * sine * sine));
+        }
+    for (const PhotometricLight& light : scene.photometric_lights)
+        brightest = std::max(brightest, largest(light.intensity) *
+                                            *std::ranges::max_element(light.profile.candela));
     float pixel = 1;
     if (const auto& map = scene.environment.map; map && !map->pixels.empty())
         pixel = *std::ranges::max_element(map->pixels);

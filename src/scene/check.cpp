@@ -105,8 +105,8 @@ std::string problem(const Scene&, const FieldRules& rules, const std::string& te
 /// Any list of texts, switch and enum is right; maps are checked by themselves.
 template <class T>
 requires(std::is_enum_v<T> || std::is_same_v<T, bool> ||
-         std::is_same_v<T, std::vector<std::string>> || std::is_same_v<T, Image>) std::string
-    problem(const Scene&, const FieldRules&, const T&) {
+         std::is_same_v<T, std::vector<std::string>> || std::is_same_v<T, std::vector<float>> ||
+         std::is_same_v<T, Image>) std::string problem(const Scene&, const FieldRules&, const T&) {
     return "";
 }
 
@@ -199,6 +199,19 @@ void check_shape(const Scene& scene, size_t i) {
                 (shape.minor_radius > 0.0f && shape.minor_radius < 1.0f),
             "shape", i, "", "its minor radius must lie between 0 and the major one");
     check_transform(shape.object_to_world, "shape", i);
+}
+
+void check_profiles(const Scene& scene) {
+    for (size_t i = 0; i < scene.photometric_lights.size(); ++i) {
+        const LightProfile& profile = scene.photometric_lights[i].profile;
+        require(profile.candela.size() == (size_t(profile.rows) + 1) * profile.columns,
+                "photometric light", i, "", "its profile's size and its numbers disagree");
+        require(
+            std::ranges::all_of(profile.candela, [](float c) { return finite(c) && c >= 0.0f; }),
+            "photometric light", i, "", "its profile must be finite and not negative");
+        require(scene.photometric_lights[i].start != glm::vec3(0.0f), "photometric light", i, "",
+                "its start must not be zero");
+    }
 }
 
 void check_lights(const Scene& scene) {
@@ -339,6 +352,7 @@ void check_scene(const Scene& scene) {
         check_fields(scene, scene.spheres[i], "sphere", i);
     for (size_t i = 0; i < scene.shapes.size(); ++i) check_shape(scene, i);
     check_lights(scene);
+    check_profiles(scene);
     check_environment(scene);
     check_media(scene);
     light_groups(scene); // not too many

@@ -49,6 +49,11 @@ void ExactScene::place_light(const SpotLight& light, const glm::dmat4& to_world)
     spot_lights_.push_back({light, to_world});
 }
 
+void ExactScene::place_light(const PhotometricLight& light, const glm::dmat4& to_world) {
+    spend(sizeof(PlacedLight<PhotometricLight>) + 2 * bytes_of(light.profile));
+    photometric_lights_.push_back({light, to_world});
+}
+
 void ExactScene::place_light(const DirectionalLight& light, const glm::dmat4& to_world) {
     spend(sizeof(PlacedLight<DirectionalLight>));
     directional_lights_.push_back({light, to_world});

@@ -33,6 +33,7 @@ class ExactScene {
     /// The light as it is in the space that the transform places.
     void place_light(const PointLight& light, const glm::dmat4& to_world);
     void place_light(const SpotLight& light, const glm::dmat4& to_world);
+    void place_light(const PhotometricLight& light, const glm::dmat4& to_world);
     void place_light(const DirectionalLight& light, const glm::dmat4& to_world);
 
     /// A camera that looks along -Z of its space, +Y up, +X to the right. Lengths scale.

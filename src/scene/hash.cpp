@@ -28,6 +28,10 @@ void add(Hasher& hasher, const Image& image) {
     hasher.value(image.width).value(image.height).span(std::span<const float>(image.pixels));
 }
 
+void add(Hasher& hasher, const std::vector<float>& numbers) {
+    hasher.value(uint64_t(numbers.size())).span(std::span<const float>(numbers));
+}
+
 void add(Hasher& hasher, const Texture& texture) {
     hasher.value(texture.filter).value(texture.uv_set).value(texture.transform);
     hasher.value(texture.same_image_as);

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/shown.h"
+#include "scene/daylight.h"
 #include "scene/loaders.h"
 #include "scene/origin.h"
 #include "scene/scale.h"
@@ -97,6 +98,7 @@ Scene load_uncompleted(const fs::path& path, const LoadOptions& options) {
             context.spend(uint64_t(map->width) * map->height, ENVIRONMENT_PIXEL_BYTES,
                           "the environment's map");
     }
+    add_daylight(scene, context, path.string());
     bound_environment(scene);
     scene.files = context.files();
     scene.files.push_back(path);

@@ -58,8 +58,7 @@ bool has_lens(const Scene& scene) {
 
 /// What paths do of light that they can't find.
 void note_unbent(const Scene& scene, Sentences& notes) {
-    const size_t lights =
-        scene.point_lights.size() + scene.spot_lights.size() + scene.directional_lights.size();
+    const size_t lights = count_delta_lights(scene);
     const auto is_glass = [](const Material& m) {
         const bool clear = m.kind == MaterialKind::dielectric || m.transmission > 0;
         return clear && !m.thin_walled && m.roughness * m.roughness < 1e-3f &&
@@ -120,6 +119,12 @@ Sentences notes_of_whitted(const Scene& scene) {
                         glowing));
     if (!scene.spot_lights.empty())
         notes.push_back(fmt::format("{} spot lights were left out", scene.spot_lights.size()));
+    if (!scene.photometric_lights.empty())
+        notes.push_back(
+            fmt::format("{} photometric lights were left out", scene.photometric_lights.size()));
+    if (count_without_size(scene.directional_lights) < scene.directional_lights.size())
+        notes.push_back(
+            "directional lights were taken as points at infinity, whatever their angle");
     if (scene.environment.map && !scene.chapter.whitted.ambient)
         notes.push_back("of the environment map the ambient light has its factor only");
     note_media(scene, notes);

@@ -184,9 +184,12 @@ static size_t count_lights(const Scene& scene) {
 
 uint64_t placed_bytes(const Scene& part) {
     constexpr uint64_t LIGHT_BYTES = 256; // a light, what the chapter says of it, its record
-    return count_lights(part) * LIGHT_BYTES + part.instances.size() * 4 * sizeof(Instance) +
-           part.spheres.size() * 4 * sizeof(Sphere) + part.shapes.size() * 4 * sizeof(Shape) +
-           part.cameras.size() * 2 * sizeof(Camera);
+    uint64_t profiles = 0;                // each with its table
+    for (const PhotometricLight& light : part.photometric_lights)
+        profiles += 5 * bytes_of(light.profile);
+    return profiles + count_lights(part) * LIGHT_BYTES +
+           part.instances.size() * 4 * sizeof(Instance) + part.spheres.size() * 4 * sizeof(Sphere) +
+           part.shapes.size() * 4 * sizeof(Shape) + part.cameras.size() * 2 * sizeof(Camera);
 }
 
 void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,

@@ -72,6 +72,8 @@ std::string absent_text(const FieldRules& rules, const T& initial) {
             return "`" + color_text(initial) + "`";
     if (rules.required) return "required";
     if (!rules.absent.empty()) return std::string(rules.absent);
+    if constexpr (std::is_same_v<T, float>)
+        if (rules.form == Form::degrees) return fmt::format("`{:.6g}`", glm::degrees(initial));
     if constexpr (requires { value_text(initial); }) return "`" + value_text(initial) + "`";
     return "";
 }
@@ -199,6 +201,7 @@ std::vector<ReferenceTable> reference_tables() {
             {"light types", type_table<LightType>()},
             {"glowing", key_table<Emission, AreaLight>()},
             {"environment", key_table<Environment>()},
+            {"daylight", key_table<Daylight>()},
             {"include", key_table<Include, Placement>()},
             {"whitted", key_table<WhittedSettings>()},
             {"gltf extensions", extension_table()},

@@ -64,4 +64,10 @@ void for_each_medium(AnyScene& scene, const Visit& visit) {
         if (material.medium) visit(*material.medium);
 }
 
+/// Lights that no ray can find.
+inline size_t count_delta_lights(const Scene& scene) {
+    return scene.point_lights.size() + scene.spot_lights.size() + scene.photometric_lights.size() +
+           count_without_size(scene.directional_lights);
+}
+
 } // namespace onde

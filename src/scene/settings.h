@@ -45,6 +45,18 @@ constexpr auto enum_words(Background) {
                       EnumWord{Background::transparent, "transparent"}};
 }
 
+/// How paths choose one of many lights.
+enum class LightSampler {
+    automatic, ///< by the tree where there are many lights that have a place
+    power,     ///< by their power, whatever is lit
+    tree,      ///< by what they may send to the point that is lit
+};
+
+constexpr auto enum_words(LightSampler) {
+    return std::array{EnumWord{LightSampler::automatic, "auto"},
+                      EnumWord{LightSampler::power, "power"}, EnumWord{LightSampler::tree, "tree"}};
+}
+
 /// What takes the noise from a picture.
 enum class Denoiser {
     automatic,  ///< Open Image Denoise where its library is found, else our own
@@ -73,6 +85,7 @@ struct RenderSettings {
     std::optional<std::vector<std::string>> aov;
     std::optional<Denoiser> denoise;
     std::optional<float> clamp;
+    std::optional<LightSampler> light_sampler;
 };
 
 /// The keys of [render]; [film] has width and height as one.
@@ -109,7 +122,10 @@ constexpr auto fields_of(TypeTag<RenderSettings>) {
         field("shutter", &S::shutter,
               "seconds for which the shutter is open, from the moment that is rendered on: what "
               "[moves](#motion) meanwhile is blurred",
-              {.range = {.low = 0, .high = 1e6}, .absent = "`0`"})};
+              {.range = {.low = 0, .high = 1e6}, .absent = "`0`"}),
+        field("light_sampler", &S::light_sampler,
+              "how a path chooses one of [many lights](lights.md#many-lights)",
+              {.absent = "`\"auto\"`"})};
 }
 
 } // namespace onde

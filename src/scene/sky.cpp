@@ -14,17 +14,6 @@ namespace {
 
 constexpr double PI = std::numbers::pi;
 
-/// From a direction to the square: Clarberg, "Fast equal-area mapping of the (hemi)sphere using
-/// SIMD", 2008.
-glm::dvec2 octahedral_uv(const glm::dvec3& d) {
-    const glm::dvec3 a = glm::abs(d);
-    const double radius = std::sqrt(std::max(1.0 - a.z, 0.0));
-    const double turn = std::atan2(a.y, a.x) * 2.0 / PI; // 0 to 1
-    glm::dvec2 uv(radius * (1.0 - turn), radius * turn);
-    if (d.z < 0.0) uv = glm::dvec2(1.0 - uv.y, 1.0 - uv.x);
-    return 0.5 + 0.5 * glm::dvec2(std::copysign(uv.x, d.x), std::copysign(uv.y, d.y));
-}
-
 glm::dvec2 equirectangular_uv(const glm::dvec3& d) {
     return {0.5 + std::atan2(d.x, -d.z) / (2.0 * PI), std::acos(std::clamp(d.y, -1.0, 1.0)) / PI};
 }
@@ -33,26 +22,6 @@ glm::dvec3 direction_of(double u, double v) {
     const double azimuth = 2.0 * PI * (u - 0.5), polar = PI * v;
     return {std::sin(polar) * std::sin(azimuth), std::cos(polar),
             -std::sin(polar) * std::cos(azimuth)};
-}
-
-glm::vec3 pixel_at(const Image& picture, const glm::dvec2& uv) {
-    const auto at = [](double part, uint32_t size) {
-        return uint32_t(std::clamp(part * size, 0.0, double(size - 1)));
-    };
-    const auto pixel = picture.pixel(at(uv.x, picture.width), at(uv.y, picture.height));
-    return {pixel[0], pixel[1], pixel[2]};
-}
-
-/// What turns directions without changing them otherwise, or the identity of a singular one.
-glm::dmat3 turn_of(const glm::dmat3& m) {
-    glm::dmat3 turn(1.0);
-    const glm::dvec3 x = glm::normalize(m[0]), y = m[1] - x * glm::dot(x, m[1]);
-    if (!(glm::length(m[0]) > 0.0) || !(glm::length(y) > 0.0)) return turn;
-    turn[0] = x;
-    turn[1] = glm::normalize(y);
-    turn[2] = glm::cross(turn[0], turn[1]);
-    if (glm::determinant(m) < 0.0) turn[2] = -turn[2];
-    return turn;
 }
 
 /// The angle of a turn about +Y, counter-clockwise seen from above; nothing for other turns.
@@ -108,6 +77,36 @@ Image drawn_map(const std::vector<SkyLight>& lights, const glm::dvec3& uniform,
 }
 
 } // namespace
+
+// Clarberg, "Fast equal-area mapping of the (hemi)sphere using
+// SIMD", 2008.
+glm::dvec2 octahedral_uv(const glm::dvec3& d) {
+    const glm::dvec3 a = glm::abs(d);
+    const double radius = std::sqrt(std::max(1.0 - a.z, 0.0));
+    const double turn = std::atan2(a.y, a.x) * 2.0 / PI; // 0 to 1
+    glm::dvec2 uv(radius * (1.0 - turn), radius * turn);
+    if (d.z < 0.0) uv = glm::dvec2(1.0 - uv.y, 1.0 - uv.x);
+    return 0.5 + 0.5 * glm::dvec2(std::copysign(uv.x, d.x), std::copysign(uv.y, d.y));
+}
+
+glm::dmat3 turn_of(const glm::dmat3& m) {
+    glm::dmat3 turn(1.0);
+    const glm::dvec3 x = glm::normalize(m[0]), y = m[1] - x * glm::dot(x, m[1]);
+    if (!(glm::length(m[0]) > 0.0) || !(glm::length(y) > 0.0)) return turn;
+    turn[0] = x;
+    turn[1] = glm::normalize(y);
+    turn[2] = glm::cross(turn[0], turn[1]);
+    if (glm::determinant(m) < 0.0) turn[2] = -turn[2];
+    return turn;
+}
+
+glm::vec3 pixel_at(const Image& picture, const glm::dvec2& uv) {
+    const auto at = [](double part, uint32_t size) {
+        return uint32_t(std::clamp(part * size, 0.0, double(size - 1)));
+    };
+    const auto pixel = picture.pixel(at(uv.x, picture.width), at(uv.y, picture.height));
+    return {pixel[0], pixel[1], pixel[2]};
+}
 
 Environment environment_of(std::vector<SkyLight> lights, LoadContext& context,
                            const std::string& name) {

@@ -17,6 +17,15 @@ enum class SkyShape {
     equirectangular, ///< as Environment::map
 };
 
+/// The place of a direction on an octahedral picture, from 0 to 1.
+glm::dvec2 octahedral_uv(const glm::dvec3& direction);
+
+/// The pixel of a picture of 3 channels at such a place.
+glm::vec3 pixel_at(const Image& picture, const glm::dvec2& uv);
+
+/// What turns directions without changing them otherwise, or the identity of a singular matrix.
+glm::dmat3 turn_of(const glm::dmat3& m);
+
 /// Some of the light of a sky.
 struct SkyLight {
     glm::vec3 radiance{1.0f}; ///< multiplies the picture

@@ -13,5 +13,5 @@ static_assert(sizeof(BvhPair) == 64 && sizeof(BvhSlot) == 48);
 static_assert(sizeof(BvhSphere) == 32 && sizeof(BvhInstance) == 128);
 static_assert(sizeof(SurfaceRecord) == 36 && sizeof(VertexRecord) == 12);
 static_assert(sizeof(LightRecord) % 4 == 0 && sizeof(TextureRecord) == 64 &&
-              sizeof(AliasRecord) == 8 && sizeof(LightBranch) == 48);
+              sizeof(AliasRecord) == 8 && sizeof(LightBranch) == 32);
 static_assert(sizeof(FrameRecord) % 16 == 0 && offsetof(FrameRecord, filter_table) % 16 == 0);

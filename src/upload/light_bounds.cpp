@@ -1,5 +1,7 @@
 #include "upload/light_bounds.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -94,6 +96,18 @@ LightBounds bounds_of(const SpotLightRecord& s) {
     return bounds;
 }
 
+/// One that shines alike into a cone.
+LightBounds bounds_of(const PhotometricLightRecord& p) {
+    constexpr double RIM = 0.01; // radians, so that directions of its rim are inside
+    const glm::dquat turn(double(p.turn[3]), double(p.turn[0]), double(p.turn[1]),
+                          double(p.turn[2]));
+    LightBounds bounds = at_point(vector_of(p.position));
+    bounds.axis = glm::normalize(turn * glm::dvec3(0, 0, 1));
+    bounds.spread = std::acos(std::clamp(1 - double(p.opening), -1.0, 1.0));
+    bounds.reach = RIM;
+    return bounds;
+}
+
 } // namespace
 
 LightBounds joined(const LightBounds& a, const LightBounds& b) {
@@ -120,6 +134,9 @@ LightBounds bounds_of(const LightRecord& light, bool two_sided, double power) {
         break;
     case LIGHT_SPOT:
         bounds = bounds_of(light.as.spot);
+        break;
+    case LIGHT_PHOTOMETRIC:
+        bounds = bounds_of(light.as.photometric);
         break;
     default:
         bounds = round(vector_of(light.as.point.position), 0);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -14,29 +15,51 @@ namespace {
 
 constexpr double PI = std::numbers::pi;
 
-void copy(float (&to)[3], glm::dvec3 from) {
-    for (glm::length_t k = 0; k < 3; k++) to[k] = float(from[k]);
+/// A float of 16 bits: the nearest, or the next that is not below a number, or not above it.
+enum class Rounding { nearest, up, down };
+uint32_t short_float(double value, Rounding rounding) {
+    const auto word = std::bit_cast<uint32_t>(float(value));
+    if (rounding == Rounding::nearest) return (word + 0x8000u) >> 16;
+    const uint32_t toward_zero = word >> 16;
+    const double held = double(std::bit_cast<float>(toward_zero << 16));
+    const bool is_off = rounding == Rounding::up ? held < value : held > value;
+    return is_off ? toward_zero + 1 : toward_zero; // away from zero
+}
+
+double number_of(uint32_t short_float) {
+    return double(std::bit_cast<float>(short_float << 16));
+}
+
+uint32_t pair_of(uint32_t first, uint32_t second) {
+    return first << 16 | second;
 }
 
 /// Branches whose importance is their power.
 LightBranch everywhere_branch(double power, uint32_t next) {
     LightBranch branch{};
-    branch.radius = -1;
+    branch.radius_reach = pair_of(short_float(-1, Rounding::down), 0);
     branch.power = float(power);
     branch.next = next;
     return branch;
 }
 
 LightBranch local_branch(const LightBounds& b, uint32_t next) {
+    constexpr double AXIS_ERROR = 0.004; // of cosines to an axis of short components, and more
+    constexpr double ALMOST_ALL = 2.9;   // radians: there cosines tell too little
     LightBranch branch{};
     const glm::dvec3 center = 0.5 * (b.low + b.high);
-    copy(branch.center, center);
+    for (glm::length_t k = 0; k < 3; k++) branch.center[k] = float(center[k]);
     // Rounded up, with room for that of the centre.
     const double size = std::max(glm::length(center), glm::length(b.high - b.low));
-    branch.radius = float((0.5 * glm::length(b.high - b.low) + 1e-7 * size) * (1 + 1e-6));
-    copy(branch.axis, b.axis);
-    branch.spread = float(std::cos(std::min(b.spread + 1e-6, PI)));
-    branch.reach = float(std::cos(std::min(b.reach + 1e-6, PI)));
+    const double radius = (0.5 * glm::length(b.high - b.low) + 1e-7 * size) * (1 + 1e-6);
+    const bool is_all = b.spread + b.reach > ALMOST_ALL;
+    const double spread = is_all ? -1 : std::cos(b.spread);
+    const double reach = std::max(std::cos(b.reach) - AXIS_ERROR, -1.0);
+    branch.radius_reach =
+        pair_of(short_float(radius, Rounding::up), short_float(reach, Rounding::down));
+    const auto part = [](double x) { return short_float(x, Rounding::nearest); };
+    branch.axis_xy = pair_of(part(b.axis.x), part(b.axis.y));
+    branch.axis_z_spread = pair_of(part(b.axis.z), short_float(spread, Rounding::down));
     branch.power = float(b.power);
     branch.next = next;
     return branch;
@@ -100,10 +123,8 @@ struct Split {
 
 class Builder {
   public:
-    Builder(std::span<const LightBounds> lights, LightTree& tree) : lights_(lights), tree_(tree) {
-        order_.resize(lights.size());
-        std::iota(order_.begin(), order_.end(), 0u);
-    }
+    Builder(std::span<const LightBounds> lights, std::vector<uint32_t> members, LightTree& tree)
+        : lights_(lights), tree_(tree), order_(std::move(members)) {}
 
     /// The lights at places [begin, end) below a branch: their pairs lie from `base` on. Returns
     /// what bounds them, and the branch's `next`.
@@ -240,30 +261,40 @@ uint32_t build_everywhere(LightTree& tree, std::span<const double> powers, uint3
 
 } // namespace
 
+BranchBounds bounds_of(const LightBranch& b) {
+    const auto first = [](uint32_t word) { return number_of(word >> 16); };
+    const auto second = [](uint32_t word) { return number_of(word & 0xffff); };
+    return {{b.center[0], b.center[1], b.center[2]},
+            {first(b.axis_xy), second(b.axis_xy), first(b.axis_z_spread)},
+            first(b.radius_reach),
+            second(b.axis_z_spread),
+            second(b.radius_reach)};
+}
+
 LightTree build_light_tree(std::span<const LightBounds> local, std::span<const double> everywhere) {
     LightTree tree;
-    const size_t count = local.size() + everywhere.size();
-    tree.trails.resize(count);
-    if (count < 2) return tree;
+    const auto outside = uint32_t(local.size());
+    tree.trails.assign(local.size() + everywhere.size(), LIGHT_OUTSIDE_TREE);
+    std::vector<uint32_t> members;
+    for (uint32_t i = 0; i < outside; i++)
+        if (local[i].power > 0) members.push_back(i);
+    if (members.size() + everywhere.size() < 2) return tree;
     // A pair for the two kinds, where there are both.
-    const bool both = !local.empty() && !everywhere.empty();
+    const bool both = !members.empty() && !everywhere.empty();
     const uint32_t level = both ? 1 : 0, base = both ? 2 : 0;
-    const size_t pairs = local.empty() ? 0 : local.size() - 1;
-    tree.branches.resize(base + 2 * pairs);
+    const size_t count = members.size();
+    tree.branches.resize(base + (count > 0 ? 2 * (count - 1) : 0));
     uint32_t next = 0;
-    if (!local.empty()) next = Builder(local, tree).build(0, local.size(), base, level, 0).second;
-    const auto before = uint32_t(local.size());
+    double power = 0;
+    for (const uint32_t i : members) power += local[i].power;
+    if (count > 0) next = Builder(local, members, tree).build(0, count, base, level, 0).second;
     if (!everywhere.empty()) {
-        const uint32_t other = build_everywhere(tree, everywhere, before, level, both ? 1 : 0);
+        const uint32_t other = build_everywhere(tree, everywhere, outside, level, both ? 1 : 0);
         if (both)
             tree.branches[1] = everywhere_branch(
                 std::accumulate(everywhere.begin(), everywhere.end(), 0.0), other);
     }
-    if (both) {
-        double power = 0;
-        for (const LightBounds& b : local) power += b.power;
-        tree.branches[0] = everywhere_branch(power, next);
-    }
+    if (both) tree.branches[0] = everywhere_branch(power, next);
     return tree;
 }
 

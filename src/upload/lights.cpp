@@ -4,11 +4,15 @@
 #include "scene/load.h"
 #include "upload/alias_table.h"
 #include "upload/light_tree.h"
+#include "upload/profile.h"
 #include "upload/textures.h"
 #include "upload/words.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -28,6 +32,7 @@ struct WeightedLights {
     LightGroups groups;
     std::vector<LightRecord> records{};
     std::vector<double> power{};
+    std::vector<uint32_t> profiles{}; ///< words
 
     void add(LightRecord record, double weight, const std::string& group) {
         record.group = groups(group);
@@ -143,11 +148,50 @@ void add_spot(const SpotLight& light, WeightedLights& lights) {
     lights.add(record, angle * luminance(light.intensity), light.group);
 }
 
+/// From a profile's space, whose z is its axis and whose x is where angles around it begin.
+glm::quat turn_of(const PhotometricLight& light) {
+    const glm::vec3 z = -light.back;
+    glm::vec3 x = light.start - z * glm::dot(z, light.start);
+    if (!(glm::length(x) > 1e-6f * glm::length(light.start)))
+        x = glm::cross(z, std::abs(z.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0));
+    x = glm::normalize(x);
+    return glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(z, x), z)));
+}
+
+void add_photometric(const std::vector<PhotometricLight>& all, WeightedLights& lights) {
+    std::map<std::vector<uint32_t>, uint32_t> first_words; // lamps of a kind share theirs
+    for (const PhotometricLight& light : all) {
+        const double power = 4 * PI * mean_of(light.profile) * luminance(light.intensity);
+        std::vector<uint32_t>& words = lights.profiles;
+        const auto [known, is_new] =
+            first_words.try_emplace(pack_profile(light.profile), uint32_t(words.size()));
+        if (is_new) words.insert(words.end(), known->first.begin(), known->first.end());
+        LightRecord record{};
+        record.kind = LIGHT_PHOTOMETRIC;
+        record.surface = known->second;
+        copy(record.as.photometric.position, light.position);
+        copy(record.as.photometric.intensity, light.intensity);
+        const glm::quat turn = turn_of(light);
+        copy(record.as.photometric.turn, glm::vec4(turn.x, turn.y, turn.z, turn.w));
+        record.as.photometric.opening = opening_of(light.profile);
+        lights.add(record, power, light.group);
+    }
+}
+
 void add_directional(const DirectionalLight& light, double scene_radius, WeightedLights& lights) {
     LightRecord record{};
-    record.kind = LIGHT_DIRECTIONAL;
-    copy(record.as.directional.to_light, light.to_light);
-    copy(record.as.directional.irradiance, light.irradiance);
+    if (has_size(light)) {
+        record.kind = LIGHT_SUN;
+        const double sine = std::sin(0.5 * double(light.angle));
+        const double half = std::sin(0.25 * double(light.angle));
+        copy(record.as.sun.to_light, light.to_light);
+        copy(record.as.sun.radiance, glm::vec3(glm::dvec3(light.irradiance) / (PI * sine * sine)));
+        record.as.sun.opening = float(2 * half * half);
+    } else {
+        record.kind = LIGHT_DIRECTIONAL;
+        copy(record.as.directional.to_light, light.to_light);
+        copy(record.as.directional.irradiance, light.irradiance);
+    }
     lights.add(record, PI * scene_radius * scene_radius * luminance(light.irradiance), light.group);
 }
 
@@ -162,24 +206,53 @@ void add_environment(const Scene& scene, double scene_radius, WeightedLights& li
                scene.environment.group);
 }
 
-/// What the local ones, the first, have in common with materials decides where they shine.
-std::vector<LightBounds> bounds_of(const Scene& scene, const WeightedLights& lights, size_t local) {
-    const double total = std::accumulate(lights.power.begin(), lights.power.end(), 0.0);
+/// Whether it is a surface, which rays can find.
+bool has_surface(const LightRecord& light) {
+    return light.kind == LIGHT_TRIANGLE || light.kind == LIGHT_DISK || light.kind == LIGHT_SPHERE;
+}
+
+/// The power of each of the local lights, the first, in a tree. The dimmest surfaces, together a
+/// hundredth of all, get none: textures have many that are all but black, and make trees deep.
+std::vector<double> powers_in_tree(const WeightedLights& lights, size_t local) {
+    constexpr double DIM_SHARE = 0.01;
+    std::vector<double> powers(lights.power.begin(), lights.power.begin() + ptrdiff_t(local));
+    const double all = std::accumulate(powers.begin(), powers.end(), 0.0);
+    std::vector<uint32_t> surfaces;
+    for (uint32_t i = 0; i < local; i++)
+        if (has_surface(lights.records[i])) surfaces.push_back(i);
+    std::ranges::sort(surfaces, [&](uint32_t a, uint32_t b) {
+        return std::pair(powers[a], a) < std::pair(powers[b], b);
+    });
+    double dim = 0;
+    for (const uint32_t i : surfaces) {
+        if (dim + powers[i] > DIM_SHARE * all) break;
+        dim += powers[i];
+        powers[i] = 0;
+    }
+    if (dim > 0)
+        for (double& power : powers) power *= all / (all - dim); // together they stay as likely
+    return powers;
+}
+
+std::vector<LightBounds> bounds_of(const Scene& scene, const WeightedLights& lights,
+                                   const std::vector<double>& powers) {
     std::vector<LightBounds> bounds;
-    for (size_t i = 0; i < local; i++) {
+    for (size_t i = 0; i < powers.size(); i++) {
         const LightRecord& light = lights.records[i];
-        const bool has_material = light.kind != LIGHT_POINT && light.kind != LIGHT_SPOT;
-        const bool two_sided = has_material && scene.materials[light.material].two_sided;
-        bounds.push_back(onde::bounds_of(light, two_sided, lights.power[i] / total));
+        const bool two_sided = has_surface(light) && scene.materials[light.material].two_sided;
+        bounds.push_back(onde::bounds_of(light, two_sided, powers[i]));
     }
     return bounds;
 }
 
-void add_tree(const Scene& scene, const WeightedLights& lights, size_t local, LightList& list) {
+void add_tree(const Scene& scene, const WeightedLights& lights, std::vector<double> powers,
+              LightList& list) {
     const double total = std::accumulate(lights.power.begin(), lights.power.end(), 0.0);
-    std::vector<double> everywhere(lights.power.begin() + ptrdiff_t(local), lights.power.end());
+    std::vector<double> everywhere(lights.power.begin() + ptrdiff_t(powers.size()),
+                                   lights.power.end());
     for (double& power : everywhere) power /= total;
-    LightTree tree = build_light_tree(bounds_of(scene, lights, local), everywhere);
+    for (double& power : powers) power /= total;
+    LightTree tree = build_light_tree(bounds_of(scene, lights, powers), everywhere);
     for (size_t i = 0; i < list.records.size(); i++) list.records[i].trail = tree.trails[i];
     list.tree = std::move(tree.branches);
 }
@@ -193,14 +266,20 @@ LightList build_lights(const Scene& scene, FlatGeometry& flat, LightSampler samp
     for (const EmissivePrimitive& e : flat.emissive) add_primitive(scene, flat, e, lights);
     for (const PointLight& light : scene.point_lights) add_point(light, lights);
     for (const SpotLight& light : scene.spot_lights) add_spot(light, lights);
+    add_photometric(scene.photometric_lights, lights);
     const size_t local = lights.records.size();
     for (const DirectionalLight& light : scene.directional_lights)
-        add_directional(light, radius, lights);
+        if (!has_size(light)) add_directional(light, radius, lights);
+    LightList list;
+    list.suns.first = uint32_t(lights.records.size());
+    for (const DirectionalLight& light : scene.directional_lights)
+        if (has_size(light)) add_directional(light, radius, lights);
+    list.suns.count = uint32_t(lights.records.size()) - list.suns.first;
     limit_to_others(lights, local);
     const size_t finite = lights.records.size();
     add_environment(scene, radius, lights);
 
-    LightList list;
+    list.profiles = std::move(lights.profiles);
     if (lights.records.size() > finite) list.environment = uint32_t(finite);
     const std::vector<AliasEntry> alias = build_alias_table(lights.power);
     for (size_t i = 0; i < alias.size(); i++) {
@@ -209,9 +288,11 @@ LightList build_lights(const Scene& scene, FlatGeometry& flat, LightSampler samp
         lights.records[i].alias = alias[i].alias;
     }
     list.records = lights.records;
-    const bool is_many = local >= ENOUGH_FOR_TREE;
-    if (sampler == LightSampler::tree || (sampler == LightSampler::automatic && is_many))
-        add_tree(scene, lights, local, list);
+    if (sampler == LightSampler::power) return list;
+    std::vector<double> powers = powers_in_tree(lights, local);
+    const auto count = size_t(std::ranges::count_if(powers, [](double p) { return p > 0; }));
+    if (sampler == LightSampler::tree || count >= ENOUGH_FOR_TREE)
+        add_tree(scene, lights, std::move(powers), list);
     return list;
 }
 

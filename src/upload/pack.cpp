@@ -50,9 +50,7 @@ static SceneFeatures material_features(const Scene& scene) {
         features.panes |= own.pane;
         features.unbent |= own.unbent;
     }
-    const bool has_delta_lights = !scene.point_lights.empty() || !scene.spot_lights.empty() ||
-                                  !scene.directional_lights.empty();
-    features.unbent &= has_delta_lights;
+    features.unbent &= count_delta_lights(scene) > 0;
     return features;
 }
 
@@ -171,6 +169,8 @@ static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry 
     LightList lights = build_lights(scene, flat, sampler);
     packed.lights = std::move(lights.records);
     packed.light_tree = std::move(lights.tree);
+    packed.profiles = std::move(lights.profiles);
+    packed.suns = lights.suns;
     packed.environment_light = lights.environment;
     static_cast<MotionArrays&>(packed) = pack_motion(scene, flat);
     packed.surfaces = std::move(flat.surfaces);

@@ -37,6 +37,7 @@ struct PackedScene : SceneArrays, MotionArrays {
     Bvh bvh;
     double built_cost = 0; ///< SAH cost of the tree before it was fitted to anything else
     uint32_t environment_light = NO_INDEX; ///< index into the lights
+    SunRange suns;                         ///< among the lights
     glm::vec3 environment_radiance{0.0f};  ///< scale of the map, where there is one
     uint32_t environment_group = 0;        ///< of light_groups()
     float environment_rotation = 0.0f;     ///< radians

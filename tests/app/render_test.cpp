@@ -1,5 +1,6 @@
 // `onde render`: the picture, what goes with it, and how it ends.
 #include "core/error.h"
+#include "core/files.h"
 #include "image/image_io.h"
 #include "onde_process.h"
 #include "support/folders.h"
@@ -173,6 +174,23 @@ TEST_CASE("--light-sampler decides which light a path samples, and so which film
     CHECK(other.code == 2);
     CHECK_THAT(other.err, Catch::Contains("light sampler"));
     CHECK(film_by("bvh", {"next.exr"}).code == 2);
+    // The scene may say it too.
+    std::string scene = onde::read_file(lights);
+    scene.insert(scene.find("[render]\n") + 9, "light_sampler = \"tree\"\n");
+    std::ofstream(folder / "own.toml") << scene;
+    REQUIRE(onde::test::onde(folder, {"render", "own.toml", "--size", "32x24", "--spp", "4", "-q",
+                                      "-o", "own.exr"})
+                .code == 0);
+    const auto own = pixels("own.exr");
+    const auto by = [&](const char* sampler) {
+        const Outcome outcome =
+            onde::test::onde(folder, {"render", "own.toml", "--size", "32x24", "--spp", "4", "-q",
+                                      "--light-sampler", sampler, "-o", "by.exr"});
+        REQUIRE(outcome.code == 0);
+        return pixels("by.exr");
+    };
+    CHECK(own == by("tree"));
+    CHECK(own != by("power"));
 }
 
 TEST_CASE("a render in small waves has the pixels of a render in one") {

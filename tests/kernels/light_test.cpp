@@ -1,4 +1,5 @@
 // Lights: which one is chosen, where it is sampled, and the density of a ray that finds it.
+#include "doctor/far_rig.h"
 #include "doctor/light_rig.h"
 #include "kernels/scene_probe.h"
 #include "kernels/statistics.h"
@@ -148,7 +149,8 @@ TEST_CASE("a scene may have every type of light, and each is sampled with its pr
         else
             REQUIRE(samples.valid[i] == 1);
     }
-    const double share[] = {lights[LIGHT_POINT].pmf + lights[LIGHT_SPOT].pmf,
+    const double share[] = {lights[LIGHT_POINT].pmf + lights[LIGHT_SPOT].pmf +
+                                lights[LIGHT_PHOTOMETRIC].pmf,
                             lights[LIGHT_DIRECTIONAL].pmf};
     for (size_t k = 0; k < 2; k++)
         CHECK(deltas[k] / COUNT == Approx(share[k]).margin(5 * 0.5 / std::sqrt(COUNT)));
@@ -197,7 +199,9 @@ TEST_CASE("mixed lights have the same bits at every width, beside dead lanes ful
     scene.materials.push_back(emitter(2, true));
     scene.spheres.push_back({{-2, 1, 0}, 0.5f, 1});
     scene.point_lights.push_back({{0, 4, 3}, {10, 20, 30}});
+    scene.photometric_lights.push_back(lopsided_lamp({0, 5, 0}, 20));
     scene.directional_lights.push_back({{0, 0.8f, 0.6f}, {1, 2, 3}});
+    scene.directional_lights.push_back({{0, 0.6f, 0.8f}, {3, 2, 1}, 0.1f});
     scene.environment.radiance = glm::vec3(0.5f);
     Generator generator(73);
     constexpr size_t FEW = 4096;
@@ -226,4 +230,102 @@ TEST_CASE("mixed lights have the same bits at every width, beside dead lanes ful
         CHECK(first_bit_difference(wide.run("light_sample", in, 10), samples, in[6]) == "");
         CHECK(first_bit_difference(wide.run("surface", rays, 18), surfaces, surfaces[0]) == "");
     }
+}
+
+TEST_CASE("a sun is sampled all over its disk, and found there and nowhere else") {
+    const glm::vec3 middle = glm::normalize(glm::vec3(2, 3, -1));
+    for (const double degrees : {0.02, 0.53, 30.0, 180.0}) {
+        INFO(degrees << " degrees");
+        Scene scene = scene_with_a_speck();
+        const double angle = degrees * M_PI / 180;
+        scene.directional_lights.push_back({middle, {1, 2, 3}, float(angle)});
+        SceneProbe probe(scene, {"light_sample", "sun"});
+        const double opening = 2 * std::pow(std::sin(angle / 4), 2);
+        const LightSamples samples = sample(probe, {5, -3, 2});
+        CHECK(disk_failure(samples, middle, opening, 1e-4) == "");
+        const auto [solid, deviation] = integrate(samples, [](glm::vec3) { return 1.0; });
+        CHECK(solid == Approx(2 * M_PI * opening).epsilon(1e-5));
+        const Columns found = look_at_sun(probe, samples.direction);
+        size_t beside = 0;
+        for (size_t i = 0; i < COUNT; i++) {
+            REQUIRE(
+                (samples.delta[i] == 0 && samples.valid[i] == 1 && samples.distance[i] > 1e20f));
+            beside += found[3][i] == 0;
+            if (found[3][i] == 0) continue;
+            REQUIRE(double(found[3][i]) == Approx(double(samples.pdf[i])));
+            REQUIRE(glm::vec3(vector_at(found, 0, i)) == samples.radiance[i]);
+        }
+        CHECK(beside < COUNT / 500); // by rounding at the rim
+        // The irradiance facing it, from the radiance.
+        const double sine = std::sin(angle / 2);
+        CHECK(double(samples.radiance[0].z) * M_PI * sine * sine == Approx(3).epsilon(1e-5));
+        std::vector<glm::vec3> off;
+        const glm::dvec3 across =
+            glm::normalize(glm::cross(glm::dvec3(middle), glm::dvec3(0, 1, 0)));
+        for (const double share : {1.01, 1.5, 2.0})
+            if (degrees < 180)
+                off.emplace_back(std::cos(share * angle / 2) * glm::dvec3(middle) +
+                                 std::sin(share * angle / 2) * across);
+        for (const float pdf : look_at_sun(probe, off)[3]) CHECK(pdf == 0.0f);
+    }
+}
+
+TEST_CASE("a directional light of almost no angle is a point at infinity") {
+    Scene scene = scene_with_a_speck();
+    scene.directional_lights.push_back({{0, 0.8f, 0.6f}, {1, 2, 3}, 1e-5f});
+    SceneProbe probe(scene, {"light_sample"});
+    CHECK(probe.packed().lights[0].kind == LIGHT_DIRECTIONAL);
+    CHECK(sample(probe, {0, 0, 0}, 16).radiance[0] == glm::vec3(1, 2, 3));
+}
+
+TEST_CASE("a photometric light sends what its profile states, turned as the lamp is") {
+    Scene scene = scene_with_a_speck();
+    PhotometricLight lamp = lopsided_lamp({1, 2, 3}, 683);
+    lamp.back = {0, 0, -1}; // shines along +Z
+    lamp.start = {0, 2, 5};
+    scene.photometric_lights.push_back(lamp);
+    SceneProbe probe(scene, {"light_sample"});
+    const auto toward = [&](glm::vec3 d) {
+        return double(sample(probe, glm::vec3(1, 2, 3) + 2.0f * d, 16).radiance[0].x) * 4;
+    };
+    const auto at = [&](double polar, double around) { // against the clock, from behind the lamp
+        const double v = polar * M_PI / 180, h = around * M_PI / 180;
+        const glm::dvec3 x(0, 1, 0), y = glm::cross(glm::dvec3(lamp.back), x);
+        return toward(glm::vec3(std::sin(v) * (std::cos(h) * x + std::sin(h) * y) -
+                                std::cos(v) * glm::dvec3(lamp.back)));
+    };
+    CHECK(at(0, 0) == Approx(900));
+    CHECK(at(30, 0) == Approx(600).epsilon(1e-5));
+    CHECK(at(30, 90) == Approx(300).epsilon(1e-5));
+    CHECK(at(30, 180) == Approx(150).epsilon(1e-5));
+    CHECK(at(30, 270) == Approx(450).epsilon(1e-5));
+    CHECK(at(45, 135) == Approx(0.5 * (600 + 200) * 0.375).epsilon(1e-5)); // between four nodes
+    CHECK(at(15, 315) == Approx(0.5 * (900 + 600 * 0.875)).epsilon(1e-5));
+    CHECK(at(100, 0) == 0);
+}
+
+TEST_CASE("photometric lights emit by their profiles") {
+    Scene scene = scene_with_a_speck();
+    scene.photometric_lights.push_back(lopsided_lamp({0, 0, 0}, 1));
+    SceneProbe lamp(scene, {"profile"});
+    CHECK(profile_failure(lamp, scene.photometric_lights[0].profile, COUNT, 1e-4) == "");
+    Generator generator(77);
+    LightProfile& fine = scene.photometric_lights[0].profile;
+    fine.rows = 720;
+    fine.columns = 24;
+    fine.candela.clear();
+    for (uint32_t i = 0; i < (fine.rows + 1) * fine.columns; i++)
+        fine.candela.push_back(unit(generator));
+    SceneProbe any(scene, {"profile"});
+    const Columns out =
+        ask_profile(any, std::vector(COUNT, glm::vec3(0, 0, 1)), uniform_column(generator, COUNT),
+                    uniform_column(generator, COUNT));
+    std::vector<glm::vec3> directions;
+    for (size_t i = 0; i < COUNT; i++) directions.emplace_back(vector_at(out, 1, i));
+    const Columns values =
+        ask_profile(any, directions, constant_column(COUNT, 0.5f), constant_column(COUNT, 0.5f));
+    double power = 0;
+    for (size_t i = 0; i < COUNT; i++)
+        power += double(values[0][i]) / double(out[4][i]) / double(COUNT);
+    CHECK(power == Approx(emitted_power(fine)).epsilon(0.01));
 }

@@ -32,22 +32,24 @@ glm::dvec3 vector_of(const float (&v)[3]) {
 }
 
 /// Whether a branch's bounds hold a light's; empty, or what they leave out.
-std::string bound_failure(const LightBranch& branch, const LightBounds& light) {
+std::string bound_failure(const LightBranch& of, const LightBounds& light) {
+    const BranchBounds branch = onde::bounds_of(of);
     if (branch.radius < 0) return {};
     for (int corner = 0; corner < 8; corner++) {
         const glm::dvec3 p(corner & 1 ? light.low.x : light.high.x,
                            corner & 2 ? light.low.y : light.high.y,
                            corner & 4 ? light.low.z : light.high.z);
-        const double off = glm::length(p - vector_of(branch.center)) - double(branch.radius);
+        const double off = glm::length(p - branch.center) - branch.radius;
         if (off > 1e-40) return fmt::format("a corner is {} outside of the sphere", off);
     }
+    if (std::abs(glm::length(branch.axis) - 1) > 0.02) return "its axis is not unit";
     const double apart =
-        std::acos(std::clamp(glm::dot(vector_of(branch.axis), light.axis), -1.0, 1.0));
-    const double spread = std::acos(double(branch.spread));
+        std::acos(std::clamp(glm::dot(glm::normalize(branch.axis), light.axis), -1.0, 1.0));
+    const double spread = std::acos(branch.cosine_of_spread);
     if (std::min(apart + light.spread, M_PI) > spread + 1e-3)
         return fmt::format("normals to {} are outside of the cone of {}", apart + light.spread,
                            spread);
-    if (double(branch.reach) > std::cos(light.reach) + 1e-6) return "it reaches less far";
+    if (branch.cosine_of_reach > std::cos(light.reach) + 1e-6) return "it reaches less far";
     return {};
 }
 
@@ -82,6 +84,18 @@ std::string tree_failure(const LightTree& tree, const std::vector<LightBounds>& 
 std::string build_failure(const std::vector<LightBounds>& local,
                           const std::vector<double>& everywhere) {
     return tree_failure(build_light_tree(local, everywhere), local, everywhere);
+}
+
+/// Squares of one row, some almost black.
+Scene row_of_lamps(size_t count, size_t dim) {
+    Scene scene;
+    for (size_t i = 0; i < count + dim; i++) {
+        const float x = float(i);
+        doctor::add_triangle(scene, {x, 5, 0}, {x + 0.5f, 5, 0}, {x, 5, 0.5f},
+                             emitter(i < count ? 10.0f : 1e-4f));
+        scene.materials.back().emission = glm::vec3(i < count ? 10.0f : 1e-4f);
+    }
+    return scene;
 }
 
 /// All points see the same lights: inside their cube, beside it, far from it.
@@ -155,7 +169,8 @@ TEST_CASE("a light that the tree never chooses sends nothing to the point") {
         const std::vector<double> all = choice_probabilities(probe, point, normal);
         for (size_t i = 0; i < all.size(); i++) {
             const LightRecord& light = probe.packed().lights[i];
-            if (all[i] > 0 || light.kind != LIGHT_TRIANGLE) continue;
+            const bool is_outside = light.trail == LIGHT_OUTSIDE_TREE;
+            if (all[i] > 0 || light.kind != LIGHT_TRIANGLE || is_outside) continue;
             never++;
             const TriangleLightRecord& t = light.as.triangle;
             const glm::dvec3 corner = vector_of(t.corner), a = vector_of(t.edge1);
@@ -243,4 +258,21 @@ TEST_CASE("choices by the light tree have the same bits at every width, beside d
         SceneProbe wide(scene, {"light_choice"}, width, {}, BY_TREE);
         CHECK(first_bit_difference(wide.run("light_choice", in, 4), expected, in[8]) == "");
     }
+}
+
+TEST_CASE("what is all but black is left to rays, and the tree's other lights stay as likely") {
+    SceneProbe probe(row_of_lamps(20, 40), {"light_choice"}, 1, {}, BY_TREE);
+    CHECK(probe.packed().light_tree.size() == 2 * 19);
+    const std::vector<double> all = choice_probabilities(probe, {5, 0, 0}, {0, 1, 0});
+    CHECK(std::accumulate(all.begin(), all.end(), 0.0) == Approx(1).epsilon(1e-5));
+    for (size_t i = 0; i < all.size(); i++) CHECK((all[i] > 0) == (i < 20));
+    const auto has_tree = [](size_t count, size_t dim) {
+        return pack_scene(row_of_lamps(count, dim)).features.light_tree;
+    };
+    CHECK(has_tree(12, 0));
+    CHECK_FALSE(has_tree(11, 40));
+    Scene points; // which no ray finds
+    for (int i = 0; i < 20; i++)
+        points.point_lights.push_back({{float(i), 0, 0}, glm::vec3(i < 10 ? 1.0f : 1e-6f)});
+    CHECK(pack_scene(points).light_tree.size() == 2 * 19);
 }

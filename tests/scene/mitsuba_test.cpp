@@ -264,6 +264,30 @@ TEST_CASE("emitters have Mitsuba's strengths, places and directions") {
     CHECK(scene.environment.radiance == glm::vec3(6.0f));
 }
 
+TEST_CASE("Mitsuba's sun and sky stand on +Z, the sun where its direction says") {
+    const Scene scene =
+        load(RECTANGLE + "<emitter type='sunsky'><vector name='sun_direction' value='1,2,0'/>"
+                         "<float name='sun_scale' value='2'/><transform name='to_world'>"
+                         "<rotate x='1' angle='-90'/></transform></emitter>");
+    REQUIRE(scene.directional_lights.size() == 1);
+    const DirectionalLight& sun = scene.directional_lights[0];
+    check_near(sun.to_light, glm::normalize(glm::vec3(1, 2, 0)));
+    CHECK(sun.angle == Approx(glm::radians(0.5338)));
+    REQUIRE(scene.environment.map);
+    const Image& map = *scene.environment.map;
+    CHECK(map.pixel(7, map.height - 1)[1] == 0.0f); // nothing below
+    const auto brightest = size_t(std::ranges::max_element(map.pixels) - map.pixels.begin()) / 3;
+    const double polar = (double(brightest / map.width) + 0.5) / map.height * M_PI;
+    CHECK(std::cos(polar) == Approx(2 / std::sqrt(5.0)).margin(0.02));
+    const double turn = (double(brightest % map.width) + 0.5) / map.width * 2 * M_PI - M_PI -
+                        double(scene.environment.rotation);
+    CHECK(std::sin(turn) == Approx(1).margin(0.01)); // toward +X
+    CHECK(load(RECTANGLE + "<emitter type='sky'/>").directional_lights.empty());
+    const Scene alone = load(RECTANGLE + "<emitter type='sun'/>");
+    CHECK(alone.directional_lights.size() == 1);
+    CHECK_FALSE(alone.environment.map);
+}
+
 TEST_CASE("a Mitsuba map begins at -Z, and is turned with its emitter") {
     const auto rotation = [](const std::string& steps) {
         const Scene scene = load(RECTANGLE +

@@ -2,6 +2,7 @@
 #ifndef ONDE_SHADE_LIGHTS_ENVIRONMENT_H
 #define ONDE_SHADE_LIGHTS_ENVIRONMENT_H
 
+#include "shade/camera_motion.h"
 #include "shade/environment.h"
 #include "shade/lights/light_type.h"
 
@@ -33,6 +34,10 @@ INLINE Emission environment_light_emit(SceneView view, __global const LightTraci
     const real3 shown = scale3(far.radiance, weight);
     Emission e = emit_from_infinity(setup, to, shown, u);
     e.shown = shown;
+    if (view.frame->orthographic) { // it sees one direction, which no other way would find
+        const real3 ahead = view_axis(view);
+        e.shown = scale3(environment_radiance(view, ahead), 1.0f / pmf);
+    }
     e.infinite = (mask)(pmf > 0.0f);
     return e;
 }

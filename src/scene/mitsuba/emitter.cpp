@@ -1,6 +1,8 @@
 // Emitters of Mitsuba's files that are no surfaces.
+#include "scene/daylight.h"
 #include "scene/load.h"
 #include "scene/mitsuba/reader.h"
+#include "scene/spectrum/cie.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -44,6 +46,8 @@ void Reader::add_emitter(const Element& emitter) {
                               .half_angle = float(glm::radians(cutoff)),
                               .inner_angle = float(glm::radians(beam))};
         scene_.place_light(light, to_world);
+    } else if (type == "sunsky" || type == "sky" || type == "sun") {
+        add_daylight(emitter);
     } else if (type == "constant" || type == "envmap") {
         add_sky(emitter);
     } else if (type != "area") { // which stands there for shapes to refer to
@@ -68,6 +72,54 @@ void Reader::add_sky(const Element& emitter) {
                     .shape = SkyShape::equirectangular,
                     .picture = *load_environment_within(context_, *path, 0.0f).map,
                     .light_to_world = glm::dmat3(turned)});
+}
+
+/// Where the sun is as the emitter sees it, with +Y up; 45 degrees high where only the date and the
+/// hour are given.
+static glm::dvec3 direction_of_sun(const Values& values, const glm::dmat3& to_world, Notes& notes,
+                                   const std::string& where) {
+    const glm::dvec3 stated =
+        glm::transpose(to_world) * values.vector("sun_direction", glm::dvec3(0.0));
+    const double length = glm::length(stated);
+    if (length > 0.0 && std::isfinite(length)) return stated / length;
+    notes.add("The sun's place is not found by date and hour: it stands 45 degrees high", where);
+    return glm::normalize(glm::dvec3(0, 1, -1));
+}
+
+void Reader::add_daylight(const Element& emitter) {
+    constexpr uint32_t WIDTH = 512;
+    constexpr glm::dmat3 Y_UP{glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, -1, 0)};
+    const Values values(document_, emitter);
+    const glm::dmat3 to_world = turn_of(glm::dmat3(values.transform("to_world"))) * Y_UP;
+    const glm::dvec3 sun = direction_of_sun(values, to_world, notes_, emitter.where);
+    const double turbidity = values.number("turbidity", 3.0);
+    if (turbidity < 2.0) notes_.add("Skies of a turbidity below 2 have one of 2", emitter.where);
+    values.color("albedo"); // what is below the horizon is black, and does not light the sky
+    const DaylightModel model({.elevation = float(std::asin(std::clamp(sun.y, 0.0, 1.0))),
+                               .azimuth = float(std::atan2(sun.x, -sun.z)),
+                               .turbidity = float(std::clamp(turbidity, 2.0, 10.0)),
+                               .ground_albedo = glm::vec3(0.0f)});
+    notes_.add("Skies are those of Preetham, Shirley and Smits", emitter.where);
+    // Its colours are means over wavelengths.
+    const auto scale = [&](const char* name) {
+        const double stated = std::clamp(values.number(name, 1.0), 0.0, 1e30);
+        return float(stated / spectrum::integral_of_observer());
+    };
+    if (emitter["type"] != "sun") {
+        context_.spend(uint64_t(WIDTH) * (WIDTH / 2), ENVIRONMENT_PIXEL_BYTES, name_);
+        sky_.push_back({.radiance = glm::vec3(scale("sky_scale")),
+                        .shape = SkyShape::equirectangular,
+                        .picture = daylight_map(model, WIDTH),
+                        .light_to_world = to_world});
+    }
+    if (emitter["type"] != "sky" && sun.y > 0.0) {
+        const double angle = std::clamp(values.number("sun_aperture", 0.5338), 0.0, 180.0);
+        scene_.place_light(
+            DirectionalLight{.to_light = glm::vec3(to_world * sun),
+                             .irradiance = glm::vec3(model.sun_irradiance()) * scale("sun_scale"),
+                             .angle = float(glm::radians(angle))},
+            glm::dmat4(1.0));
+    }
 }
 
 } // namespace onde::mitsuba

@@ -44,6 +44,7 @@ class Reader {
 
     void add_emitter(const Element& emitter);
     void add_sky(const Element& emitter);
+    void add_daylight(const Element& emitter);
     glm::vec3 strength(const Element& emitter, std::string_view name);
 
     void add_shape(const Element& shape, Parts* group);

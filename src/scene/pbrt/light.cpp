@@ -21,10 +21,7 @@ class Lights {
 
     void add(const std::string& kind) {
         if (kind == "point") return point();
-        if (kind == "goniometric") {
-            sources_.notes.add("Goniometric lights shine alike in all directions");
-            return point();
-        }
+        if (kind == "goniometric") return goniometric();
         if (kind == "spot") return spot();
         if (kind == "distant") return distant();
         if (kind == "infinite") return infinite();
@@ -52,6 +49,38 @@ class Lights {
         p_.find("filename");
         const PointLight light{.position = glm::vec3(0.0f),
                                .intensity = strength("I", "power", 4.0 * PI)};
+        scene_.place_light(light, glm::translate(to_world_, place("from", glm::dvec3(0.0))));
+    }
+
+    /// Along -Y of the light's space, and from its +X on, of a picture whose own space has Y and Z
+    /// exchanged. The most candela are those of a W/sr.
+    static LightProfile profile_of(const Image& picture) {
+        LightProfile profile;
+        profile.rows = std::clamp(picture.height, 2u, MOST_PROFILE_STEPS / 2);
+        profile.columns = std::clamp(2 * picture.width, 2u, MOST_PROFILE_STEPS);
+        profile.candela.clear();
+        for (uint32_t row = 0; row <= profile.rows; row++)
+            for (uint32_t column = 0; column < profile.columns; column++) {
+                const double v = PI * row / profile.rows, h = 2.0 * PI * column / profile.columns;
+                const glm::dvec3 own(std::sin(v) * std::cos(h), -std::sin(v) * std::sin(h),
+                                     -std::cos(v)); // x, z, y of the light's space
+                const glm::vec3 pixel = pixel_at(picture, octahedral_uv(own));
+                const double mean = (double(pixel.x) + double(pixel.y) + double(pixel.z)) / 3.0;
+                profile.candela.push_back(float(std::min(mean, 1e30) * LUMENS_PER_WATT));
+            }
+        return profile;
+    }
+
+    void goniometric() {
+        const auto file = p_.text("filename");
+        const auto path = file ? sources_.find(*file, "Pictures") : std::nullopt;
+        if (!path) return point();
+        const Image picture = *load_environment_within(sources_.context, *path, 0.0f).map;
+        PhotometricLight light{.profile = profile_of(picture)};
+        double mean = 0.0;
+        for (const float value : picture.pixels)
+            mean += double(value) / double(picture.pixels.size());
+        light.intensity = strength("I", "power", std::max(4.0 * PI * mean, 1e-30));
         scene_.place_light(light, glm::translate(to_world_, place("from", glm::dvec3(0.0))));
     }
 

@@ -126,17 +126,21 @@ glm::dvec3 observer(double wavelength) {
     return between(OBSERVER, FIRST, 5.0, wavelength);
 }
 
-/// IEC 61966-2-1.
+} // namespace
+
 glm::dvec3 srgb_of_xyz(const glm::dvec3& c) {
     return {3.2404542 * c.x - 1.5371385 * c.y - 0.4985314 * c.z,
             -0.969266 * c.x + 1.8760108 * c.y + 0.041556 * c.z,
             0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z};
 }
 
-} // namespace
-
 double d65(double wavelength) {
     return between(D65, 380.0, 10.0, wavelength);
+}
+
+double integral_of_observer() {
+    static const double all = integral([](double w) { return observer(w).y; });
+    return all;
 }
 
 double luminance(const glm::dvec3& color) {
@@ -144,8 +148,7 @@ double luminance(const glm::dvec3& color) {
 }
 
 glm::dvec3 color_of_wavelength(double wavelength) {
-    static const double white = integral([](double w) { return observer(w).y; });
-    return srgb_of_xyz(observer(wavelength)) / white;
+    return srgb_of_xyz(observer(wavelength)) / integral_of_observer();
 }
 
 glm::dvec3 color_of_light(const Function& radiance) {

@@ -20,6 +20,13 @@ glm::dvec3 color_of_wavelength(double wavelength);
 /// The colour of a surface that reflects that share of D65; a constant 1 is white.
 glm::dvec3 color_of_surface(const Function& reflectance);
 
+/// The linear sRGB colour of CIE XYZ (IEC 61966-2-1).
+glm::dvec3 srgb_of_xyz(const glm::dvec3& xyz);
+
+/// Nanometres: what color_of_light() has divided by, so that a spectrum of W/nm times it is in W of
+/// the same luminance, at the wavelength that is seen best.
+double integral_of_observer();
+
 /// The luminance of a linear sRGB colour.
 double luminance(const glm::dvec3& color);
 

@@ -184,12 +184,13 @@ constexpr auto fields_of(TypeTag<MeshFile>) {
                       LoaderKey{"triangles", "`[[i, j, k], ...]`", "", ""}};
 }
 
-enum class LightType { point, spot, directional, rectangle, disk, sphere };
+enum class LightType { point, spot, photometric, directional, rectangle, disk, sphere };
 
 constexpr auto enum_words(LightType) {
     using L = LightType;
     return std::array{EnumWord{L::point, "point"},
                       EnumWord{L::spot, "spot"},
+                      EnumWord{L::photometric, "photometric"},
                       EnumWord{L::directional, "directional"},
                       EnumWord{L::rectangle, "rectangle"},
                       EnumWord{L::disk, "disk"},
@@ -284,6 +285,10 @@ auto visit_keys(LightType type, const Visit& visit) {
         return visit("", TypeTag<PointLight>{}, TypeTag<ChapterLight>{});
     case LightType::spot:
         return visit("", TypeTag<SpotLight>{});
+    case LightType::photometric:
+        return visit("shines as a file says that measures a lamp: straight down, unless "
+                     "`direction` is given",
+                     TypeTag<PhotometricLight>{});
     case LightType::directional:
         return visit("", TypeTag<DirectionalLight>{}, TypeTag<ChapterLight>{});
     case LightType::rectangle:

@@ -76,6 +76,9 @@ class TomlScene {
     uint32_t placed_name(const TableReader& table);
     uint32_t emitter(const TableReader& table);
     void add_area_light(const TableReader& table, AreaLight light, uint32_t material);
+    void add_photometric_light(const TableReader& table);
+    /// Of the IES file that the table names.
+    const LightProfile& profile(const TableReader& table);
     void add_rectangle_light(const TableReader& table);
     void add_disk_light(const TableReader& table);
     void add_sphere_light(const TableReader& table);
@@ -100,6 +103,7 @@ class TomlScene {
     std::map<std::string, uint32_t> material_of_name_;
     std::map<std::string, Part> parts_;
     std::map<std::string, uint32_t> grid_of_file_;
+    std::map<std::filesystem::path, LightProfile> profiles_;
     int64_t default_material_ = -1;
     bool has_own_environment_ = false, has_own_medium_ = false;
     /// What was made of a table, by its place in the file, so that it is made anew in its place.

@@ -2,6 +2,7 @@
 #include "scene/shapes.h"
 #include "core/error.h"
 #include "core/shown.h"
+#include "scene/ies.h"
 #include "scene/origin.h"
 #include "scene/toml/fields.h"
 #include "scene/toml/keys.h"
@@ -236,6 +237,30 @@ static void add_light(const TableReader& table, std::vector<Light>& lights,
     lights.push_back(light);
 }
 
+const LightProfile& TomlScene::profile(const TableReader& table) {
+    const std::string name = table.require("ies", table.text("ies"));
+    const fs::path file = context_.resolve(folder_, name, table.where("ies"));
+    if (!fs::exists(file)) table.fail("ies", fmt::format("names '{}', which does not exist", name));
+    const auto [found, is_new] = profiles_.try_emplace(file);
+    if (is_new) {
+        Notes notes = context_.notes_of(file);
+        found->second = load_ies_within(context_, file, notes);
+        for (const std::string& sentence : notes.sentences()) scene_.notes.push_back(sentence);
+    }
+    return found->second;
+}
+
+void TomlScene::add_photometric_light(const TableReader& table) {
+    std::vector<PhotometricLight>& lights = scene_.photometric_lights;
+    add_light(table, lights, scene_.chapter.intensities.photometric_lights);
+    PhotometricLight& light = lights.back();
+    const glm::vec3 across = glm::cross(light.start, light.back);
+    if (!(glm::length(across) > 1e-6f * glm::length(light.start)))
+        table.fail("start", "must not be zero or along direction");
+    light.profile = profile(table);
+    context_.spend(5, bytes_of(light.profile), table.where());
+}
+
 /// A black material that emits the light's radiance.
 uint32_t TomlScene::emitter(const TableReader& table) {
     require_measure(table, "radiance");
@@ -302,6 +327,8 @@ void TomlScene::read_light(const TableReader& table) {
     const auto type = table.require("type", table.choice<keys::LightType>("type"));
     table.allow(keys::keys_of_light(type));
     switch (type) {
+    case keys::LightType::photometric:
+        return add_photometric_light(table);
     case keys::LightType::rectangle:
         return add_rectangle_light(table);
     case keys::LightType::disk:

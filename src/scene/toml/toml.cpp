@@ -276,6 +276,7 @@ void TomlScene::read_environment(const TableReader& root) {
         Environment& environment = scene_.environment;
         environment.radiance = glm::vec3(1.0f);
         read_fields(table, environment);
+        if (environment.sky && table.has("map")) table.fail("map", "can't go with sky; give one");
         const auto map = table.text("map");
         if (!map || environment.map || context_.options().only_shapes) continue;
         const fs::path file = context_.resolve(folder_, *map, table.where("map"));

@@ -105,9 +105,9 @@ INLINE real angle_turns(real y, real x) {
 }
 
 // The number whose half (IEEE 754 binary16) is in the lower 16 bits; from 0 on, and finite.
-INLINE real from_half(natural half) {
-    const real normal = as_real((half << 13u) + 0x38000000u); // its exponent counts from 112 less
-    return choose(half < 0x400u, to_real(as_integer(half)) * 5.9604644775390625e-8f, normal);
+INLINE real from_half(natural bits) {
+    const real normal = as_real((bits << 13u) + 0x38000000u); // its exponent counts from 112 less
+    return choose(bits < 0x400u, to_real(as_integer(bits)) * 5.9604644775390625e-8f, normal);
 }
 
 // Unit vector from two signed 16-bit octahedral coordinates (Cigolle et al. 2014).

@@ -153,8 +153,8 @@ INLINE real texel_rest(Texel texel, uint k) {
 #if ONDE_FLOAT_TEXTURES
 // Channel k of halves or floats where the texel has those, else `code`.
 INLINE real texel_number(Texel texel, uint k, real code) {
-    const real half = from_half((texel.word[k >> 1] >> (16 * (k & 1u))) & 0xffffu);
-    const real number = choose(texel.format == TEXEL_HALVES, half, as_real(texel.word[k]));
+    const real of_half = from_half((texel.word[k >> 1] >> (16 * (k & 1u))) & 0xffffu);
+    const real number = choose(texel.format == TEXEL_HALVES, of_half, as_real(texel.word[k]));
     return choose(texel.format >= TEXEL_HALVES, number, code);
 }
 #endif

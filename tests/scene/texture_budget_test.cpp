@@ -1,11 +1,12 @@
 // Pictures of fewer texels: their means, and which ones are lowered.
 #include "scene/texture_budget.h"
 
-#include "doctor/columns.h"
 #include "image/lowered.h"
 #include "image/texel_format.h"
 #include "image/tone.h"
 #include "scratch.h"
+
+#include <random>
 
 using namespace onde;
 using onde::test::has_note;
@@ -15,7 +16,7 @@ namespace {
 enum class Kind { bytes, wide, halves, floats };
 
 TexelImage random_picture(uint32_t width, uint32_t height, Kind kind, uint32_t seed) {
-    doctor::Generator generator(seed);
+    std::mt19937 generator(seed);
     TexelImage image;
     image.width = width;
     image.height = height;

@@ -10,6 +10,7 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import own_references
 from page import STYLE
 
 MOST_OFF = 0.02  # of the mean
@@ -26,7 +27,6 @@ LACKS = {
     "test_mesh_attributes_3_face": "textures of mesh attributes",
     "test_mesh_attributes_3_vertex": "textures of mesh attributes",
 }
-MISSING_MAP = "textures/museum.exr"
 
 
 @dataclass
@@ -34,8 +34,8 @@ class Scene:
     name: str
     path: Path
     reference: Path
+    variance: Path | None  # of one sample of the reference
     root: Path
-    variance: Path | None = None
     arguments: list = field(default_factory=list)
 
 
@@ -51,16 +51,20 @@ def pbrt_scenes(assets):
     for path in sorted(assets.glob("pbrt/*/scene-v4.pbrt")):
         reference = path.parent / "TungstenRender.exr"
         if reference.exists():
-            yield Scene(path.parent.name, path, reference, path.parent, None, ["--depth", DEPTH])
+            yield Scene(path.parent.name, path, reference, None, path.parent, ["--depth", DEPTH])
 
 
-def mitsuba_scenes(assets):
+def mitsuba_scenes(assets, folder):
+    """Beside Mitsuba's references; beside our own, under our own sky, where their map may not be had."""
     root = assets / "mitsuba-data"
     for path in sorted(root.glob("tests/scenes/*/*.xml")):
         name = path.stem.rsplit("_", 1)[0]
         reference = path.parent / "refs" / f"{name}_ref_rgb.exr"
-        if reference.exists():
-            yield Scene(name, path, reference, root, reference.with_name(f"{name}_ref_rgb_var.exr"))
+        if own_references.lacks_map(path):
+            scene = own_references.under_our_sky(path, folder)
+            yield Scene(name, scene, *own_references.reference(name), Path("/"))
+        elif reference.exists():
+            yield Scene(name, path, reference, reference.with_name(f"{name}_ref_rgb_var.exr"), root)
 
 
 def run(command):
@@ -98,18 +102,13 @@ def mean(onde, picture):
     return json.loads(run([onde, "compare", picture, picture, "--json"])[1])["mean_a"]
 
 
-def lacks(scene, notes):
-    missing = any(MISSING_MAP in note for note in notes)
-    return LACKS.get(scene.name) or (f"{MISSING_MAP}, which is not among the assets" if missing else "")
-
-
 def judge(onde, scene, folder, samples):
     picture = folder / f"{scene.name}.exr"
     code, _, notes = run([onde, "render", scene.path, "-o", picture, "--root", scene.root, "--spp", samples, *scene.arguments])
     if code:
         return Verdict(scene, notes[-1] if notes else f"exit code {code}")
     ratio = mean(onde, picture) / mean(onde, scene.reference)
-    verdict = Verdict(scene, f"mean {100 * (ratio - 1):+.2f} %", lacks=lacks(scene, notes))
+    verdict = Verdict(scene, f"mean {100 * (ratio - 1):+.2f} %", lacks=LACKS.get(scene.name, ""))
     verdict.agrees = abs(ratio - 1) <= MOST_OFF
     if scene.variance:
         test = [onde, "compare", picture, scene.reference, "--variance", scene.variance, "--samples", samples, "--json"]
@@ -135,12 +134,12 @@ def row(verdict, folder, onde):
 
 def compare(options):
     """Exit code: 1 when a scene differs of which Onde lacks nothing, 77 when there are none."""
-    found = [*pbrt_scenes(options.assets), *mitsuba_scenes(options.assets)]
+    options.output.mkdir(parents=True, exist_ok=True)
+    found = [*pbrt_scenes(options.assets), *mitsuba_scenes(options.assets, options.output)]
     wanted = [scene for scene in found if not options.models or scene.name in options.models]
     if not wanted:
         print(f"there are no such scenes in {options.assets}/pbrt and mitsuba-data; name their folder with --assets")
         return 77
-    options.output.mkdir(parents=True, exist_ok=True)
     verdicts = []
     for scene in wanted:
         verdicts.append(judge(options.onde, scene, options.output, options.spp))

@@ -20,8 +20,11 @@ def _run(*words):
 
 def versions():
     """Of the installed packages, by name."""
-    listed = _run(PYTHON, "-m", "pip", "list", "--format", "json", "--disable-pip-version-check")
-    return {entry["name"]: entry["version"] for entry in json.loads(listed.stdout)}
+    ask = "import importlib.metadata as m, json; print(json.dumps({d.name: d.version for d in m.distributions()}))"
+    listed = _run(PYTHON, "-c", ask)
+    if listed.returncode:
+        sys.exit(f"{PYTHON} is broken; delete {FOLDER}, so that it is made anew")
+    return json.loads(listed.stdout)
 
 
 def install(packages):

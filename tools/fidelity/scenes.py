@@ -23,9 +23,7 @@ LACKS = {
     "veach-bidir": "nothing that is known: 2.2 % brighter than the reference",
     "veach-mis": "the reference has Beckmann's distribution, which pbrt's files can't name",
     "test_arealight": "rough plastic, of which Mitsuba's returns 2.6 % less than its smooth one",
-    "test_mesh_attributes_1_face": "textures of mesh attributes",
-    "test_mesh_attributes_3_face": "textures of mesh attributes",
-    "test_mesh_attributes_3_vertex": "textures of mesh attributes",
+    "test_bumpmap": "bump maps",
 }
 
 

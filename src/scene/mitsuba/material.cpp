@@ -56,12 +56,13 @@ std::vector<FileWord> Materials::words() {
     return words;
 }
 
-Material Materials::convert(const Element* bsdf) {
+Materials::Converted Materials::convert(const Element* bsdf) {
     Material m;
     m.name = "default";
     m.base_color = glm::vec3(0.5f);
+    color_.reset();
     if (bsdf) convert_into(*bsdf, m, 0);
-    return m;
+    return {std::move(m), color_};
 }
 
 void Materials::convert_into(const Element& bsdf, Material& m, int depth) {
@@ -83,7 +84,23 @@ void Materials::inner(const Element& bsdf, Material& m, int depth) {
     if (const Element* child = document_.child(bsdf, "bsdf")) convert_into(*child, m, depth + 1);
 }
 
+/// The attribute of meshes that something is by that name, if it is.
+std::optional<MeshAttribute> Materials::attribute(const Element& bsdf,
+                                                  std::string_view name) const {
+    const Element* found = document_.property(bsdf, name);
+    if (!found || !found->is("texture", "mesh_attribute")) return std::nullopt;
+    const Values values(document_, *found);
+    return MeshAttribute{.name = values.text("name"),
+                         .at_zero = glm::vec3(0.0f),
+                         .at_one = glm::vec3(float(values.number("scale", 1.0)))};
+}
+
 void Materials::set_color(const Element& bsdf, std::string_view name, Material& m, double absent) {
+    if (const auto found = attribute(bsdf, name)) {
+        m.base_color = glm::vec3(1.0f);
+        color_ = found;
+        return;
+    }
     const Textured textured = color(bsdf, name, glm::dvec3(absent));
     m.base_color = glm::clamp(textured.factor, 0.0f, 1.0f);
     m.base_color_texture = textured.texture;
@@ -254,6 +271,23 @@ void Materials::bump_map(const Element& bsdf, Material& m, int depth) {
     inner(bsdf, m, depth);
 }
 
+/// Two plain colours, mixed, are a colour of vertices.
+void Materials::blend_by(const MeshAttribute& weight, const Element& first, const Element& second,
+                         Material& m, int depth) {
+    Material other;
+    convert_into(second, other, depth + 1);
+    convert_into(first, m, depth + 1);
+    const auto is_plain = [](const Material& part) {
+        return part.kind == MaterialKind::diffuse && part.base_color_texture == NO_TEXTURE;
+    };
+    if (!is_plain(m) || !is_plain(other) || color_)
+        return document_.notes().add("Blends by attributes of meshes show their first part, but "
+                                     "for those of two plain colours",
+                                     weight.name);
+    color_ = {weight.name, m.base_color, glm::mix(m.base_color, other.base_color, weight.at_one)};
+    m.base_color = glm::vec3(1.0f);
+}
+
 void Materials::blend(const Element& bsdf, Material& m, int depth) {
     std::vector<const Element*> parts;
     for (const Element& child : bsdf.children) {
@@ -263,6 +297,8 @@ void Materials::blend(const Element& bsdf, Material& m, int depth) {
     }
     if (parts.size() != 2)
         return document_.notes().wrong("Blends of other than two materials are grey", bsdf.where);
+    if (const auto weight = attribute(bsdf, "weight"))
+        return blend_by(*weight, *parts[0], *parts[1], m, depth);
     const Textured weight = color(bsdf, "weight", glm::dvec3(0.5));
     convert_into(*parts[0], m, depth + 1);
     if (blends_ > 0)

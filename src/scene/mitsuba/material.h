@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/file_words.h"
+#include "scene/mitsuba/attribute.h"
 #include "scene/mitsuba/values.h"
 #include "scene/scene.h"
 
@@ -14,7 +15,11 @@ class Materials {
 
     /// The <bsdf> as the nearest material that Onde has; what is not exact is noted. Without one,
     /// Mitsuba's own default.
-    Material convert(const Element* bsdf);
+    struct Converted {
+        Material material;
+        std::optional<MeshAttribute> color; ///< of meshes, which multiplies its base colour
+    };
+    Converted convert(const Element* bsdf);
 
     /// The colour that an element has by that name, be it a texture.
     struct Textured {
@@ -32,9 +37,12 @@ class Materials {
 
     void convert_into(const Element& bsdf, Material& m, int depth);
     void inner(const Element& bsdf, Material& m, int depth);
+    std::optional<MeshAttribute> attribute(const Element& bsdf, std::string_view name) const;
     void set_color(const Element& bsdf, std::string_view name, Material& m, double absent = 0.5);
     double number(const Element& of, std::string_view name, double absent);
     glm::dvec2 alphas(const Element& bsdf, Material& m);
+    void blend_by(const MeshAttribute& weight, const Element& first, const Element& second,
+                  Material& m, int depth);
     void set_even_roughness(const Element& bsdf, Material& m);
     double index_of(const Element& bsdf);
     void set_conductor(const Element& bsdf, Material& m);
@@ -61,7 +69,8 @@ class Materials {
 
     const Document& document_;
     Scene& scene_;
-    int blends_ = 0; ///< around what is being converted
+    int blends_ = 0;                     ///< around what is being converted
+    std::optional<MeshAttribute> color_; ///< of that
 };
 
 } // namespace onde::mitsuba

@@ -81,6 +81,9 @@ std::vector<FileWord> plugin_words() {
     words.insert(words.end(), materials.begin(), materials.end());
     words.push_back({"bitmap", "a texture"});
     words.push_back({"checkerboard", "a texture"});
+    words.push_back({"mesh_attribute",
+                     "colours of vertices, from `.ply` files, of what has a colour; as the weight "
+                     "of a blend it mixes two plain colours"});
     return words;
 }
 

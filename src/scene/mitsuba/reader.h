@@ -67,7 +67,8 @@ class Reader {
     Materials materials_;
     std::vector<SkyLight> sky_;
     std::optional<glm::dmat4> camera_to_world_;
-    std::map<Look, uint32_t> looks_; ///< to materials of the scene
+    std::map<Look, uint32_t> looks_;               ///< to materials of the scene
+    std::map<uint32_t, MeshAttribute> attributes_; ///< that colour meshes of a material
     std::map<std::tuple<std::string, uint32_t, bool, bool, bool>, KnownMesh> mesh_files_;
     std::map<const Element*, Parts> groups_;
 };

@@ -32,7 +32,7 @@ uint32_t Reader::material_of(const Element& shape) {
     std::vector<Material>& materials = scene_.assets().materials;
     if (const auto known = looks_.find(look); known != looks_.end()) return known->second;
     context_.spend(2, sizeof(Material), name_);
-    Material material = materials_.convert(look.bsdf);
+    auto [material, color] = materials_.convert(look.bsdf);
     if (emitter) {
         material.emission = strength(*emitter, "radiance");
         material.two_sided = false;
@@ -40,7 +40,9 @@ uint32_t Reader::material_of(const Element& shape) {
     if (const auto inside = medium_of(medium); inside && !fill(material, *inside))
         notes_.add("Media inside of what lets no light in are left out", medium->where);
     materials.push_back(std::move(material));
-    return looks_[look] = uint32_t(materials.size() - 1);
+    const auto number = uint32_t(materials.size() - 1);
+    if (color) attributes_.emplace(number, *color);
+    return looks_[look] = number;
 }
 
 std::optional<Medium> Reader::medium_of(const Element* element) {
@@ -130,6 +132,9 @@ void Reader::add_mesh_file(const Element& shape, Parts* group) {
     Scene& assets = scene_.assets();
     for (const std::string& note : loaded.notes) assets.notes.push_back(file + ": " + note);
     loaded.mesh.colors.clear(); // which only textures of attributes show
+    if (const auto wanted = attributes_.find(material_of(shape)); wanted != attributes_.end())
+        if (shape["type"] != "ply" || !color_by(loaded.mesh, *path, wanted->second, context_))
+            notes_.wrong("Attributes that a mesh does not have are white", wanted->second.name);
     if (flat) loaded.mesh.normals.clear();
     if (!keeps_v)
         for (glm::vec2& uv : loaded.mesh.uvs) uv.y = 1.0f - uv.y;

@@ -20,13 +20,20 @@ OWN_PACKAGES = ["numpy", "pillow", "OpenEXR"]
 PEER_PACKAGES = ["bpy", "mitsuba", "pyluxcore"]
 
 
+def positive(text):
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{text}: must be at least 1")
+    return number
+
+
 def arguments():
     parser = argparse.ArgumentParser(prog="./run bench peers", description=__doc__)
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help="names of built-in scenes, .gltf or .glb files (six scenes)")
-    parser.add_argument("--size", type=int, default=256, help="width and height in pixels (256)")
-    parser.add_argument("--spp", type=int, default=64, help="samples a pixel (64)")
-    parser.add_argument("--repeats", type=int, default=2, help="timed runs of each, interleaved (2)")
-    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="of each renderer (all)")
+    parser.add_argument("--size", type=positive, default=256, help="width and height in pixels (256)")
+    parser.add_argument("--spp", type=positive, default=64, help="samples a pixel (64)")
+    parser.add_argument("--repeats", type=positive, default=2, help="timed runs of each, interleaved (2)")
+    parser.add_argument("--threads", type=positive, default=len(os.sched_getaffinity(0)), help="of each renderer (all)")
     parser.add_argument("--peers", default="", help="which, with commas between (all that can be installed)")
     parser.add_argument("--environment", type=Path, help="an equirectangular .exr or .hdr in place of the built-in sky")
     parser.add_argument("--reference-seconds", type=float, default=10, help="for the reference of each, of 2 to 16 runs (10)")
@@ -43,6 +50,13 @@ def settings_of(options):
     if options.quick:
         settings |= {"size": 64, "spp": 4, "repeats": 1, "references": 2}
     return settings
+
+
+def machine():
+    """The processor's name, where the system tells it."""
+    told = Path("/proc/cpuinfo")
+    names = [line.split(":", 1)[1].strip() for line in told.read_text().splitlines() if line.startswith("model name")] if told.exists() else []
+    return names[0] if names else platform.machine()
 
 
 def show(picture, path):
@@ -70,11 +84,13 @@ def main():
     import scenes
 
     installed = {name: version for name, version in peer_python.versions().items() if name in PEER_PACKAGES}
+    if strange := scenes.unknown(options.scenes):
+        sys.exit(f"{strange[0]}: no scene of that name, and no .gltf or .glb file; the scenes are {', '.join(scenes.BUILT_IN)}")
     settings, names = settings_of(options), ["onde", *chosen_peers(options, installed)]
     if settings["mitsuba_variant"] == "scalar_rgb" and "mitsuba" in names:
         print(f"Mitsuba renders without LLVM, ten times slower: install libllvm19 (any from {peer_python.OLDEST_LLVM} on)", file=sys.stderr)
     version = subprocess.run([settings["onde"], "--version"], capture_output=True, text=True).stdout.split()[-1]
-    run = {"date": str(date.today()), "machine": platform.processor() or platform.machine(), "versions": {"onde": version, **installed},
+    run = {"date": str(date.today()), "machine": machine(), "versions": {"onde": version, **installed},
            "settings": settings, "scenes": {}}
     options.output.mkdir(parents=True, exist_ok=True)
     for name in options.scenes or scenes.USUAL:

@@ -23,7 +23,6 @@ PEERS = {  # by name: what prepares a scene for it, and the package that it come
     "mitsuba-multijitter": (mitsuba_scene, "mitsuba"),
     "luxcore": (luxcore_scene, "pyluxcore"),
 }
-PACKAGES = ["numpy", "pillow", "OpenEXR"]  # of the bench itself
 
 
 class Failed(Exception):
@@ -36,16 +35,14 @@ def last_line(path):
 
 
 class Runner:
-    """One renderer and one scene, in that scene's folder."""
+    """One renderer and one scene, in that scene's folder. Who inherits has a command for a whole
+    process and what to write to its input."""
 
     def __init__(self, name, folder, settings):
         self.name, self.folder, self.settings = name, folder, settings
         self.log = folder / f"{name}.log"
         self.home = folder / f"home-{name}"
         self.process = None
-
-    def command(self, samples, seed, output):
-        raise NotImplementedError
 
     def prepare(self, scene):
         shutil.rmtree(self.home, ignore_errors=True)
@@ -65,11 +62,12 @@ class Runner:
     def whole(self, samples, seed):
         """A process from start to end: its seconds and peak memory. Throws Failed."""
         result = self.home / "measured.json"
+        result.unlink(missing_ok=True)
         words = [sys.executable, "-S", "-E", HERE / "measure.py", result, *self.command(samples, seed)]
         with open(self.log, "w") as log:
             subprocess.run([str(word) for word in words], env=self.environment(), preexec_fn=self.pin, input=self.request(samples, seed),
                            text=True, stdout=log, stderr=log)
-        measured = json.loads(result.read_text())
+        measured = json.loads(result.read_text()) if result.exists() else {"code": 1}
         if measured["code"]:
             raise Failed(last_line(self.log))
         return measured

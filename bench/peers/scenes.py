@@ -1,6 +1,5 @@
 """The built-in scenes, and where others come from."""
 
-import sys
 from pathlib import Path
 
 import gltf
@@ -107,18 +106,18 @@ def fog(folder):
 
 BUILT_IN = {"cornell": cornell, "dining-room": dining_room, "helmet": helmet, "million": million, "lamps": lamps, "fog": fog,
             "materials": materials}
-USUAL = list(BUILT_IN)[:6]
+USUAL = ["cornell", "dining-room", "helmet", "million", "lamps", "fog"]
+
+
+def unknown(names):
+    """Those that are neither built-in scenes nor files to read."""
+    return [name for name in names if name not in BUILT_IN and not (Path(name).suffix in (".glb", ".gltf") and Path(name).exists())]
 
 
 def make(name, folder, environment):
     """The scene of that name or glTF file, its files in the folder."""
     folder.mkdir(parents=True, exist_ok=True)
-    if name in BUILT_IN:
-        scene = BUILT_IN[name](folder)
-    elif Path(name).suffix in (".glb", ".gltf") and Path(name).exists():
-        scene = gltf.read(Path(name), folder)
-    else:
-        sys.exit(f"{name}: no scene of that name, and no .gltf or .glb file; the scenes are {', '.join(BUILT_IN)}")
+    scene = BUILT_IN[name](folder) if name in BUILT_IN else gltf.read(Path(name), folder)
     if environment and scene.environment:
         scene.environment = sky.copy(environment, folder)
     scene.save(folder)

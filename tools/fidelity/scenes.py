@@ -22,8 +22,8 @@ LACKS = {
     "dining-room": "the reference's sun has a size, and its sky stands upright",
     "veach-bidir": "nothing that is known: 2.2 % brighter than the reference",
     "veach-mis": "the reference has Beckmann's distribution, which pbrt's files can't name",
-    "test_bumpmap": "bump maps",
     "test_arealight": "rough plastic, of which Mitsuba's returns 2.6 % less than its smooth one",
+    "test_bumpmap": "bump maps",
 }
 
 

@@ -83,9 +83,9 @@ __kernel void inspect_path(LAUNCH_PARAMETERS, SCENE_PARAMETERS, JOB_PARAMETERS,
     #else
             const natural way = 0u;
     #endif
-            const real3 through =
-                estimator_transmittance(e, v.connection.origin, v.connection.direction,
-                                        v.connection.distance, way, (mask)(1));
+            const real3 through = estimator_transmittance(
+                e, v.connection.origin, v.connection.direction, v.connection.distance, way,
+                (natural)(0u), bounce, (mask)(1));
             report->blocked = !nonzero3(through);
             arrives = mul3(v.connection.value, through);
             report3(report->light_radiance, arrives);

@@ -63,9 +63,9 @@ INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint 
 // Connections show the scene to the camera, which looks against them; only those of the environment
 // run with its sight.
 INLINE real3 estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
-                                     natural way, mask lanes) {
+                                     natural way, natural id, uint bounce, mask lanes) {
     const real3 seen = choose(distance < INFINITE_DISTANCE, negate3(direction), direction);
-    return ray_transmittance(e.view, origin, direction, distance, seen, lanes, way, lanes);
+    return ray_transmittance(e.view, origin, direction, distance, seen, lanes, way, id, lanes);
 }
 #endif
 

@@ -20,6 +20,7 @@
 #define DIMENSION_ROULETTE 3u  // y: which of the surfaces that let rays pass ends the next ray
 #define DIMENSIONS_PER_BOUNCE 4u
 #define DIMENSION_MEDIA 0x20000000u      // and bounce: what a ray meets on its way
+#define DIMENSION_CONNECTION 0x28000000u // and bounce: what a connection meets
 #define DIMENSION_WAVELENGTH 0x3fffffffu // of light that is dispersed; no bounce has it
 
 INLINE uint bounce_dimension(uint bounce, uint which) {
@@ -28,6 +29,10 @@ INLINE uint bounce_dimension(uint bounce, uint which) {
 
 INLINE uint media_dimension(uint bounce) {
     return DIMENSION_MEDIA + bounce;
+}
+
+INLINE uint connection_dimension(uint bounce) {
+    return DIMENSION_CONNECTION + bounce;
 }
 
 // PCG-RXS-M-XS as a hash (Jarzynski and Olano 2020, Hash Functions for GPU Rendering).
@@ -119,6 +124,15 @@ INLINE real2 scrambled_pair(natural x, natural y, natural key) {
     x = reverse_bits(laine_karras(x, hash_natural(key ^ 0xa511e9b3u)));
     y = reverse_bits(laine_karras(y, hash_natural(key ^ 0x63d83595u)));
     return make2(unit_real(x), unit_real(y));
+}
+
+// Numbers in [0, 1) of a dimension that needs nobody knows how many, by their place. They know
+// nothing of each other, nor of other samples' ones.
+INLINE natural stream_key(Sampler s, uint dimension) {
+    return hash_natural(s.pixel ^ hash_natural(s.index ^ (natural)(dimension * 0x9e3779b9u)));
+}
+INLINE real stream_real(natural key, natural place) {
+    return unit_real(hash_natural(key + place * 0x9e3779b9u));
 }
 
 // Two numbers in [0, 1): over the samples of a pixel, a scrambled (0, 2)-sequence. The direction at

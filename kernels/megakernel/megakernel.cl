@@ -83,7 +83,7 @@ INLINE void connect_lanes(Estimator e, FilmView film, Connection c, natural id, 
         const natural way = (natural)(0u);
     #endif
         const real3 through =
-            estimator_transmittance(e, c.origin, c.direction, c.distance, way, dim);
+            estimator_transmittance(e, c.origin, c.direction, c.distance, way, id, vertex, dim);
         c.value = choose(dim, mul3(c.value, through), c.value);
         open |= mask_bits(dim & nonzero3(through));
     }
@@ -160,7 +160,10 @@ INLINE Gathered trace_paths(Estimator e, FilmView film, uint first, uint end) {
         gather_light(step.emitted, bounce, trail_shares(state), alive, &gathered.aovs);
     #endif
     #if ONDE_GROUPS
-        gather_groups(step.group, step.emitted, alive, gathered.groups);
+        gather_groups(step.group, grouped_emission(step), alive, gathered.groups);
+        #if ONDE_GLOW
+        gather_groups((natural)(0u), step.glow, alive, gathered.groups);
+        #endif
     #endif
         state = step.next;
         connect_lanes(e, film, step.connection, id, bounce + ESTIMATOR_CONNECTS_START, alive,

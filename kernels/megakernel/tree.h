@@ -31,7 +31,7 @@ INLINE void answer(Estimator e, Connections* c, uint groups) {
         const real through =
             estimator_transmittance(e, group_origin(&c->ways, g), group_direction(&c->ways, g),
                                     unspill_real(c->ways.distance + g * ONDE_WIDTH), (natural)(0u),
-                                    dim)
+                                    (natural)(0u), 0, dim)
                 .x;
         const real before = unspill_real(arrives + g * ONDE_WIDTH);
         spill_real(arrives + g * ONDE_WIDTH, choose(dim, through, before));

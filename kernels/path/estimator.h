@@ -83,9 +83,10 @@ INLINE Hits estimator_pass(Estimator e, State path, Hits hits, natural id, uint 
 
 #if ESTIMATOR_TRANSLUCENT
 INLINE real3 estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
-                                     natural way, mask lanes) {
+                                     natural way, natural id, uint bounce, mask lanes) {
+    const natural key = stream_key(path_sampler(e, id), connection_dimension(bounce));
     return ray_transmittance(e.view, origin, direction, distance, direction, lanes & !lanes, way,
-                             lanes);
+                             key, lanes);
 }
 #endif
 

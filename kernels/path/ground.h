@@ -47,7 +47,7 @@ INLINE real3 reflect_on_ground(real3 direction, real2 u) {
 // Where the rays of `lanes` meet the plane. choice, u: of the light; v: of the reflection. One
 // sample of light: 0 where it is not blocked, so that plain ground has no noise.
 OUTLINED Ground ground_at(SceneView view, real3 origin, real3 direction, real choice, real2 u,
-                          real2 v, mask lanes) {
+                          real2 v, natural key, mask lanes) {
     Ground g;
     const real height = (real)(view.frame->ground_height);
     const real t = choose(lanes, (height - origin.y) / direction.y, (real)(0.0f));
@@ -70,7 +70,7 @@ OUTLINED Ground ground_at(SceneView view, real3 origin, real3 direction, real ch
     #if ONDE_ALPHA || ONDE_STRAIGHT
     const real3 through = ray_transmittance(
         view, g.position, light.direction, light.distance, light.direction, lanes & !lanes,
-        choose(light.delta, (natural)(WAY_UNBENT), (natural)(MEDIUM_AROUND)), blocked);
+        choose(light.delta, (natural)(WAY_UNBENT), (natural)(MEDIUM_AROUND)), key, blocked);
     g.kept = mul3(g.kept, sub3(splat3((real)(1.0f)), through));
     #endif
     return g;
@@ -81,11 +81,11 @@ INLINE void path_ground(SceneView view, Path path, Sampler sampler, uint bounce,
                         PathVertex* result) {
     const mask ground = lanes & sees_ground(view, path.origin, path.direction, path.pdf);
     if (!mask_bits(ground)) return;
-    const Ground g =
-        ground_at(view, path.origin, path.direction,
-                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x,
-                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT)),
-                  sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_DIRECTION)), ground);
+    const Ground g = ground_at(view, path.origin, path.direction,
+                               sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_CHOICE)).x,
+                               sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_LIGHT)),
+                               sampler_pair(sampler, bounce_dimension(bounce, DIMENSION_DIRECTION)),
+                               stream_key(sampler, connection_dimension(bounce)), ground);
     const real3 left = sub3(splat3((real)(1.0f)), g.kept);
     result->emitted = choose(ground, mul3(result->emitted, left), result->emitted);
     result->tested = g.tested;

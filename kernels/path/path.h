@@ -240,10 +240,10 @@ OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sam
                                 mask lanes) {
     mask arrived = lanes;
 #if ONDE_MEDIA
-    const mask seen = hit.primitive != BVH_NONE;
-    const MediumEvent event = medium_event(
-        view, medium_within(path.media), choose(seen, hit.t, (real)(INFINITE_DISTANCE)),
-        path.throughput, sampler_pair(sampler, media_dimension(bounce)), lanes);
+    const MediumEvent event = path_event(view, path, hit, sampler, bounce, lanes);
+    #if ONDE_GLOW
+    const real3 glow = choose(lanes, mul3(path.throughput, event.glow), zero3());
+    #endif
     path.throughput = mul3(path.throughput, event.weight);
     arrived = lanes & !event.scattered;
 #endif
@@ -255,6 +255,10 @@ OUTLINED PathVertex path_vertex(SceneView view, Path path, Hits hit, Sampler sam
     result.tested = 0;
     const mask missed = arrived & (hit.primitive == BVH_NONE);
     path_ground(view, path, sampler, bounce, missed, &result);
+#endif
+#if ONDE_GLOW
+    result.emitted = add3(result.emitted, glow);
+    result.glow = glow;
 #endif
     return result;
 }

@@ -51,6 +51,9 @@ typedef struct {
 #if ONDE_GROUPS
     natural group; // of lights, of what was found
 #endif
+#if ONDE_GLOW
+    real3 glow; // of what was found, that of a medium, which is of no group
+#endif
 #if ONDE_AOVS
     Aovs aovs;   // those of rays and surfaces at the first vertex, guides where `guided`
     mask guided; // whether this is the vertex that guides
@@ -59,6 +62,15 @@ typedef struct {
     uint tested; // rays to lights of the ground, by lane
 #endif
 } PathVertex;
+
+// Radiance found of the vertex's group.
+INLINE real3 grouped_emission(PathVertex v) {
+#if ONDE_GLOW
+    return sub3(v.emitted, v.glow);
+#else
+    return v.emitted;
+#endif
+}
 
 INLINE Path path_start(__global const FrameRecord* frame, natural pixel, Sampler sampler) {
     const CameraRay ray = camera_ray(frame, pixel, sampler);

@@ -172,8 +172,18 @@
     SIZE(MediumRecord)                                                                             \
     OFFSET(MediumRecord, extinction)                                                               \
     OFFSET(MediumRecord, scattering)                                                               \
+    OFFSET(MediumRecord, emission)                                                                 \
     OFFSET(MediumRecord, anisotropy)                                                               \
+    OFFSET(MediumRecord, grid)                                                                     \
     OFFSET(MediumRecord, unused)                                                                   \
+    SIZE(GridRecord)                                                                               \
+    OFFSET(GridRecord, to_samples)                                                                 \
+    OFFSET(GridRecord, low)                                                                        \
+    OFFSET(GridRecord, high)                                                                       \
+    OFFSET(GridRecord, scale)                                                                      \
+    OFFSET(GridRecord, bricks)                                                                     \
+    OFFSET(GridRecord, table)                                                                      \
+    OFFSET(GridRecord, unused)                                                                     \
     SIZE(VertexRecord)                                                                             \
     OFFSET(VertexRecord, normal)                                                                   \
     OFFSET(VertexRecord, uv)                                                                       \

@@ -98,9 +98,10 @@ OUTLINED Hits pass_surfaces(SceneView view, real3 origin, real3 direction, Hits 
 }
 
 // How much of the light comes through from the origins to `distance`, for connections in `lanes`;
-// nothing in the others. seen, culls: as in hit_opacity. way: as of Connection.
+// nothing in the others. seen, culls: as in hit_opacity. way: as of Connection. key: of random
+// numbers, which only grids of media ask for.
 OUTLINED real3 ray_transmittance(SceneView view, real3 origin, real3 direction, real distance,
-                                 real3 seen, mask culls, natural way, mask lanes) {
+                                 real3 seen, mask culls, natural way, natural key, mask lanes) {
     Hits hits;
     hits.t = hits.u = hits.v = (real)(0.0f);
     hits.primitive = hits.instance = (natural)(0u);
@@ -110,8 +111,9 @@ OUTLINED real3 ray_transmittance(SceneView view, real3 origin, real3 direction, 
         const real before = hits.t;
         hits = trace_behind(view.bvh, origin, direction, distance, hits, mask_bits(open));
     #if ONDE_MEDIA
-        const real length = choose(hits.primitive != BVH_NONE, hits.t, distance) - before;
-        const real3 inside = transmittance_of(medium_extinction(view, medium_within(way)), length);
+        const real to = choose(hits.primitive != BVH_NONE, hits.t, distance);
+        const real3 inside = medium_transmittance(view, medium_within(way), origin, direction,
+                                                  before, to, key + passed, open);
         through = choose(open, mul3(through, inside), through);
     #endif
         open = open & (hits.primitive != BVH_NONE);

@@ -114,6 +114,17 @@
     #undef ONDE_ABSORPTION
     #define ONDE_ABSORPTION 0
 #endif
+// Whether some medium glows, and whether some is not as dense everywhere.
+#if !ONDE_MEDIA
+    #undef ONDE_GLOW
+    #undef ONDE_GRIDS
+#endif
+#ifndef ONDE_GLOW
+    #define ONDE_GLOW 0
+#endif
+#ifndef ONDE_GRIDS
+    #define ONDE_GRIDS 0
+#endif
 #define ONDE_STRAIGHT (ONDE_PANES || ONDE_UNBENT || ONDE_MEDIA)
 // Whether connections say how they go.
 #define ONDE_WAYS (ONDE_UNBENT || ONDE_MEDIA)

@@ -109,15 +109,38 @@ typedef struct {
     uint texture[TEXTURE_COUNT]; // by slot: index of a TextureRecord, or NO_INDEX
 } MaterialRecord;
 
-// What absorbs and scatters light: rates per unit of length.
+// What absorbs and scatters light, and glows: rates per unit of length; where a grid says how dense
+// it is, at density 1.
 typedef struct {
     float extinction[3]; // by both
     float scattering[3];
-    float anisotropy; // of Henyey and Greenstein's phase function
-    float unused;
+    float emission[3]; // of radiance
+    float anisotropy;  // of Henyey and Greenstein's phase function
+    uint grid;         // index of a GridRecord, or NO_INDEX: it is the same everywhere
+    uint unused;
 } MediumRecord;
 #define MEDIUM_AROUND 0u // the index of what is outside of all; behind it those inside of materials
 #define MOST_MEDIA 0x7fffu
+
+// Where a grid lies, and its densities: samples at whole coordinates, linear in between. They stand
+// in bricks of 8 x 8 x 8 cells, each with all the samples at the corners of its cells. `bricks` is
+// the first word of the table of bricks, x fastest: BRICK_WORDS each, the largest density in it as
+// a float, and its first sample's word, or NO_INDEX where all of it has that density. The word of a
+// sample and the next ones along x are neighbours, along y BRICK_ROW apart, along z BRICK_LAYER: it
+// has the sample in its lower half and the next one along x in its upper, as shares of the largest.
+typedef struct {
+    float to_samples[12];  // from the world: rows
+    float low[3], high[3]; // in samples: the density is 0 outside
+    float scale;           // of densities
+    uint bricks;
+    uint table[3]; // its size
+    uint unused;
+} GridRecord;
+#define BRICK_CELLS 8u
+#define BRICK_WORDS 2u
+#define BRICK_ROW BRICK_CELLS
+#define BRICK_LAYER (BRICK_ROW * (BRICK_CELLS + 1u))
+#define WORDS_OF_BRICK (BRICK_LAYER * (BRICK_CELLS + 1u))
 
 #define LIGHT_UNLISTED 0xfffffffeu // emits too little to be worth sampling; rays may find it
 
@@ -290,6 +313,7 @@ typedef struct {
 // bulges: by surface, of scenes with curved triangles; see src/upload/bulge.h.
 // albedos: tables of shared/albedo.h; the first is that of reflection.
 // media: of scenes that have some; the first is what is around everything.
+// grids, voxels: of media that are not as dense everywhere; see GridRecord.
 // spectrum: of scenes that disperse light; see shared/spectrum.h.
 // srgb: 256 entries, from 8-bit sRGB to linear. environment: 3 floats per pixel.
 // environment_alias: MAP_TABLES entries per pixel.
@@ -302,6 +326,8 @@ typedef struct {
     BUFFER(uint, tangents, "tangents")                                                             \
     BUFFER(MaterialRecord, materials, "materials")                                                 \
     BUFFER(MediumRecord, media, "media")                                                           \
+    BUFFER(GridRecord, grids, "grids of media")                                                    \
+    BUFFER(uint, voxels, "densities of media")                                                     \
     BUFFER(uint, albedos, "directional albedos")                                                   \
     BUFFER(SpectrumKnot, spectrum, "spectrum of dispersed light")                                  \
     BUFFER(LightRecord, lights, "lights")                                                          \

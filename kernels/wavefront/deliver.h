@@ -29,7 +29,7 @@ INLINE float3 word3(Columns c, uint k, uint i) {
 // How much comes through of the connections in `blocked`, by their place among the slots. Returns
 // those of which nothing does.
 INLINE uint find_transmittance(Estimator e, WaveView wave, const uint* slots, uint blocked,
-                               float3* transmittance) {
+                               uint vertex, float3* transmittance) {
     const Columns connections = wave_connections(wave);
     float words[RAY_DISTANCE + 1][ONDE_WIDTH];
     uint place[ONDE_WIDTH], dark = 0;
@@ -51,8 +51,16 @@ INLINE uint find_transmittance(Estimator e, WaveView wave, const uint* slots, ui
             ways[i] = *column(connections, CONNECTION_WAY, slots[place[min(i, count - 1)]]);
         way = as_natural(unspill_real(ways));
     #endif
-        const real3 through = estimator_transmittance(
-            e, origin, direction, unspill_real(words[RAY_DISTANCE]), way, lane_index() < count);
+        natural id = (natural)(0u);
+    #if ONDE_GRIDS
+        float ids[ONDE_WIDTH];
+        for (uint i = 0; i < ONDE_WIDTH; i++)
+            ids[i] = *column(wave.state, COLUMN_ID, slots[place[min(i, count - 1)]]);
+        id = as_natural(unspill_real(ids));
+    #endif
+        const real3 through =
+            estimator_transmittance(e, origin, direction, unspill_real(words[RAY_DISTANCE]), way,
+                                    id, vertex, lane_index() < count);
         float x[ONDE_WIDTH], y[ONDE_WIDTH], z[ONDE_WIDTH];
         spill_real(x, through.x);
         spill_real(y, through.y);

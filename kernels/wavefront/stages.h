@@ -66,7 +66,10 @@ INLINE void stage_shade(Estimator e, WaveView wave, uint bounce, uint begin, uin
         add_to_sums(wave, id, step.emitted, emitting);
 #endif
 #if ONDE_GROUPS
-        add_to_groups(wave, id, step.group, step.emitted, emitting);
+        add_to_groups(wave, id, step.group, grouped_emission(step), emitting);
+    #if ONDE_GLOW
+        add_to_groups(wave, id, (natural)(0u), step.glow, emitting);
+    #endif
 #endif
 #if ONDE_AOVS
         if (bounce == 0) {
@@ -100,7 +103,7 @@ INLINE void test_connections(Estimator e, WaveView wave, FilmView film, const ui
 #if ESTIMATOR_TRANSLUCENT
     float3 transmittance[OCCLUDED_SLOTS];
     for (uint k = 0; k < count; k++) transmittance[k] = (float3)(1.0f);
-    blocked = find_transmittance(e, wave, slots, blocked, transmittance);
+    blocked = find_transmittance(e, wave, slots, blocked, vertex, transmittance);
 #endif
     for (uint k = 0; k < count; k++) {
         if (blocked >> k & 1) continue;

@@ -64,6 +64,7 @@ uint64_t host_bytes(const Scene& scene, uint64_t texture_bytes) {
         scene, [&](const auto& lights, const auto&, const char*) { bytes += bytes_of(lights); });
     for (const Mesh& mesh : scene.meshes) bytes += bytes_of(mesh);
     if (scene.environment.map) bytes += bytes_of(scene.environment.map->pixels);
+    for (const DensityGrid& grid : scene.grids) bytes += grid.bytes();
     return bytes;
 }
 
@@ -154,6 +155,8 @@ void print_text(const Scene& scene, const SceneSummary& summary, const DeviceMem
     fmt::print("shapes        {}\n", counts_text(scene.shapes.size(), summary.shapes));
     fmt::print("materials     {}\n", counts_text(scene.materials.size(), summary.materials));
     fmt::print("textures      {}, {}\n", scene.textures.size(), size_text(summary.texture_bytes));
+    fmt::print("media         {}, {} grids, {}\n", summary.media, scene.grids.size(),
+               size_text(summary.grid_bytes));
     fmt::print("lights        {}; area {}\n", lights_text(scene),
                counts_text(scene.chapter.area_lights.size(), summary.area_lights));
     fmt::print("environment   {}\n", environment_text(scene.environment));
@@ -217,6 +220,9 @@ void print_json(const Scene& scene, const SceneSummary& summary, const DeviceMem
                    {"materials", json_counts(summary.materials)},
                    {"textures", scene.textures.size()},
                    {"texture_bytes", summary.texture_bytes},
+                   {"media", summary.media},
+                   {"grids", scene.grids.size()},
+                   {"grid_bytes", summary.grid_bytes},
                    {"point_lights", scene.point_lights.size()},
                    {"directional_lights", scene.directional_lights.size()},
                    {"area_lights", json_counts(summary.area_lights)},
@@ -247,6 +253,8 @@ SceneSummary summarize(const Scene& scene) {
     summary.materials = count_kinds(scene.materials);
     summary.area_lights = count_kinds(scene.chapter.area_lights);
     for (const Texture& texture : scene.textures) summary.texture_bytes += texture.image.bytes();
+    for_each_medium(scene, [&](const Medium& medium) { summary.media += medium != Medium{}; });
+    for (const DensityGrid& grid : scene.grids) summary.grid_bytes += grid.bytes();
     summary.host_bytes = host_bytes(scene, summary.texture_bytes);
     return summary;
 }

@@ -22,6 +22,8 @@ struct SceneSummary {
     uint64_t emissive_triangles = 0;  ///< of those seen
     CountsByWord shapes, materials, area_lights;
     uint64_t texture_bytes = 0;
+    size_t media = 0; ///< that light meets something in
+    uint64_t grid_bytes = 0;
     uint64_t host_bytes = 0;
 };
 

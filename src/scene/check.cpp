@@ -71,6 +71,8 @@ std::string problem(const Scene& scene, const FieldRules& rules, uint32_t value)
     if (rules.form == Form::material && value >= scene.materials.size()) return "does not exist";
     if (rules.form == Form::name)
         return value == NO_NAME || value < scene.names.size() ? "" : "does not exist";
+    if (rules.form == Form::grid)
+        return value == NO_GRID || value < scene.grids.size() ? "" : "does not exist";
     return rules.range.contains(value) ? "" : why_not_in(rules.range, value);
 }
 
@@ -238,6 +240,51 @@ void check_environment(const Scene& scene) {
         throw InputError("environment: its map must be finite and not negative");
 }
 
+/// The sum of what glows and is never dimmed on the way has no end where the medium has none.
+bool is_bounded(const Medium& medium) {
+    if (medium.grid != NO_GRID) return true;
+    for (glm::length_t c = 0; c < 3; ++c)
+        if (medium.emission[c] > 0.0f && medium.absorption[c] + medium.scattering[c] == 0.0f)
+            return false;
+    return true;
+}
+
+void check_grid(const Scene& scene, size_t i) {
+    const DensityGrid& grid = scene.grids[i];
+    const auto check = [&](bool holds, const char* problem) {
+        require(holds, "grid", i, grid.name, problem);
+    };
+    const uint64_t bricks = uint64_t(grid.table.x) * grid.table.y * grid.table.z;
+    check(bricks > 0 && bricks == grid.bricks.size(), "its size and its bricks disagree");
+    for (const DensityGrid::Brick& brick : grid.bricks) {
+        check(brick.largest >= 0.0f && brick.largest <= LARGEST_DENSITY,
+              "a density is negative or too large");
+        check(brick.first == DensityGrid::EVEN ||
+                  uint64_t(brick.first) + DensityGrid::BRICK_SAMPLES <= grid.samples.size(),
+              "a brick has no samples");
+    }
+    const glm::vec3 end(grid.table * DensityGrid::CELLS);
+    check(glm::all(glm::greaterThanEqual(grid.low, glm::vec3(0))) &&
+              glm::all(glm::lessThan(grid.low, grid.high)) &&
+              glm::all(glm::lessThanEqual(grid.high, end)),
+          "its box is not within its samples");
+}
+
+void check_media(const Scene& scene) {
+    for (size_t i = 0; i < scene.grids.size(); ++i) check_grid(scene, i);
+    if (const std::string text = problem(scene, {}, scene.medium); !text.empty())
+        throw InputError("medium: its {}", text);
+    if (!is_bounded(scene.medium))
+        throw InputError("medium: its emission has no end, as what is around everything; give it "
+                         "absorption or scattering, or a density");
+    for_each_medium(scene, [&](const Medium& medium) {
+        if (medium.grid == NO_GRID) return;
+        check_transform(medium.placement, "placement of the grid", medium.grid);
+        check_transform(medium.placement * scene.grids[medium.grid].from_samples, "grid",
+                        medium.grid);
+    });
+}
+
 } // namespace
 
 void check_material(const Scene& scene, size_t i) {
@@ -287,8 +334,7 @@ void check_scene(const Scene& scene) {
     for (size_t i = 0; i < scene.shapes.size(); ++i) check_shape(scene, i);
     check_lights(scene);
     check_environment(scene);
-    if (const std::string of_medium = problem(scene, {}, scene.medium); !of_medium.empty())
-        throw InputError("medium: its {}", of_medium);
+    check_media(scene);
     light_groups(scene); // not too many
     for (size_t i = 0; i < scene.cameras.size(); ++i) check_camera(scene.cameras[i], i);
     const std::string text = problem(scene, {}, scene.settings);

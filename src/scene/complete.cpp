@@ -39,6 +39,8 @@ static bool anything_emits(const Scene& scene) {
     for_each_light_list(scene, [&](const auto& lights, const auto&, const char*) {
         found = found || !lights.empty();
     });
+    for_each_medium(scene,
+                    [&](const Medium& m) { found = found || m.emission != glm::vec3(0.0f); });
     if (found) return true;
     std::vector<bool> lights;
     for (const Material& material : scene.materials)

@@ -59,6 +59,16 @@ void ExactScene::place_camera(const Camera& camera, const glm::dmat4& camera_to_
     cameras_.push_back({camera, camera_to_world});
 }
 
+void ExactScene::place_media(const glm::dmat4& to_ours) {
+    if (media_.empty())
+        for_each_medium(scene_, [&](const Medium& m) { media_.emplace_back(m.placement); });
+    size_t next = 0;
+    for_each_medium(scene_, [&](Medium& medium) {
+        const glm::dmat4& place = media_[next++];
+        if (medium.grid != NO_GRID) medium.placement = glm::mat4(to_ours * place);
+    });
+}
+
 void ExactScene::place_all(const glm::dmat4& to_ours) {
     scene_.instances.clear();
     for (const Placed& mesh : meshes_)
@@ -82,6 +92,7 @@ void ExactScene::place_all(const glm::dmat4& to_ours) {
     scene_.cameras.clear();
     for (const auto& [camera, place] : cameras_)
         scene_.cameras.push_back(placed(camera, glm::mat4(to_ours * place)));
+    place_media(to_ours);
 }
 
 Scene ExactScene::finish(const glm::dmat4& to_ours) {

@@ -20,6 +20,9 @@ class ExactScene {
     /// All but what has a place.
     Scene& assets() { return scene_; }
 
+    /// Whether something that is placed so is finite and has a volume; else with a note.
+    bool usable(const glm::dmat4& place, Notes& notes) const;
+
     /// What has no volume left is dropped with a note in `notes`, as are placements that are no
     /// finite numbers.
     void place_mesh(uint32_t mesh, const glm::dmat4& object_to_world, Notes& notes);
@@ -54,8 +57,8 @@ class ExactScene {
     };
 
     void spend(uint64_t bytes);
-    bool usable(const glm::dmat4& place, Notes& notes) const;
     void place_all(const glm::dmat4& to_ours);
+    void place_media(const glm::dmat4& to_ours);
 
     LoadContext& context_;
     const std::string& name_;
@@ -63,6 +66,7 @@ class ExactScene {
     uint64_t count_ = 0;
     std::vector<Placed> meshes_, shapes_;
     std::vector<PlacedLight<Camera>> cameras_;
+    std::vector<glm::dmat4> media_; ///< in the order of for_each_medium(), before they are placed
 #define ONDE_LIST(Type, list, words) std::vector<PlacedLight<Type>> list##_;
     LIGHT_LISTS(ONDE_LIST)
 #undef ONDE_LIST

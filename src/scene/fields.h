@@ -55,6 +55,7 @@ enum class Form {
     material,       ///< an index of a material
     group,          ///< the name of a group of lights, or empty
     name,           ///< an index of a name, or NO_NAME
+    grid,           ///< an index of a grid of densities, or NO_GRID
 };
 
 constexpr bool is_texture(Form form) {

@@ -54,6 +54,12 @@ void add(Hasher& hasher, const Mesh& mesh) {
     add_span(hasher, mesh.materials);
 }
 
+void add(Hasher& hasher, const DensityGrid& grid) {
+    hasher.value(grid.table).value(grid.low).value(grid.high).value(grid.from_samples);
+    add_span(hasher, grid.bricks);
+    add_span(hasher, grid.samples);
+}
+
 template <class T>
 void add(Hasher& hasher, const std::optional<T>& value);
 
@@ -111,6 +117,7 @@ std::string scene_hash(const Scene& scene) {
                         [&](const auto& list, const auto&, const char*) { add(hasher, list); });
     add(hasher, scene.environment);
     add(hasher, scene.medium);
+    add(hasher, scene.grids);
     add(hasher, scene.cameras);
     add(hasher, scene.chapter.phong);
     for_each_light_list(scene, [&](const auto&, const auto& intensities, const char*) {

@@ -26,16 +26,24 @@ static void take_shifted(std::map<uint32_t, T>& whole, const std::map<uint32_t, 
     for (const auto& [index, value] : part) whole[uint32_t(first) + index] = value;
 }
 
+static void take_grid(Medium& medium, uint32_t first) {
+    if (medium.grid != NO_GRID) medium.grid += first;
+}
+
 AssetOffsets append_assets(Scene& whole, Scene& part) {
-    const AssetOffsets offsets{.textures = move_to_end(whole.textures, part.textures),
-                               .materials = move_to_end(whole.materials, part.materials),
-                               .meshes = move_to_end(whole.meshes, part.meshes),
-                               .names = move_to_end(whole.names, part.names)};
+    AssetOffsets offsets{.textures = move_to_end(whole.textures, part.textures),
+                         .materials = move_to_end(whole.materials, part.materials),
+                         .meshes = move_to_end(whole.meshes, part.meshes),
+                         .names = move_to_end(whole.names, part.names),
+                         .grids = move_to_end(whole.grids, part.grids)};
     for (size_t i = offsets.materials; i < whole.materials.size(); ++i) {
-        for_each_texture(whole.materials[i], [&](const auto&, int32_t& texture) {
+        Material& material = whole.materials[i];
+        for_each_texture(material, [&](const auto&, int32_t& texture) {
             if (texture != NO_TEXTURE) texture += int32_t(offsets.textures);
         });
-        if (auto& other = whole.materials[i].blend_with) *other += offsets.materials;
+        if (auto& other = material.blend_with) *other += offsets.materials;
+        if (material.medium) take_grid(*material.medium, offsets.grids);
+        offsets.media.push_back(material.medium.value_or(Medium{}).placement);
     }
     for (size_t i = offsets.textures; i < whole.textures.size(); ++i)
         if (int32_t& same = whole.textures[i].same_image_as; same != NO_TEXTURE)
@@ -157,6 +165,16 @@ static void append_lights(Scene& whole, const Scene& part, const AssetOffsets& o
         chapter.area_lights.push_back(placed(light, transform, offsets.materials));
 }
 
+static void place_media(Scene& whole, const Scene& part, const AssetOffsets& offsets,
+                        const glm::mat4& transform) {
+    for (size_t i = 0; i < offsets.media.size(); ++i)
+        if (auto& medium = whole.materials[offsets.materials + i].medium)
+            medium->placement = transform * offsets.media[i];
+    if (whole.medium != Medium{}) return;
+    whole.medium = placed(part.medium, transform);
+    take_grid(whole.medium, offsets.grids);
+}
+
 static size_t count_lights(const Scene& scene) {
     size_t lights = scene.chapter.area_lights.size();
     for_each_light_list(scene,
@@ -198,7 +216,7 @@ void append_placed(Scene& whole, const Scene& part, const AssetOffsets& offsets,
     }
     append_lights(whole, part, offsets, transform);
     for (const Camera& camera : part.cameras) whole.cameras.push_back(placed(camera, transform));
-    if (whole.medium == Medium{}) whole.medium = part.medium;
+    place_media(whole, part, offsets, transform);
     if (!emits(whole.environment)) whole.environment = placed(part.environment, transform);
     take_missing(whole.settings, part.settings);
     take_whitted(whole, part.chapter);
@@ -215,6 +233,7 @@ void place_anew(Scene& scene, const glm::mat4& transform) {
     });
     for (AreaLight& light : scene.chapter.area_lights) light = placed(light, transform, 0);
     for (Camera& camera : scene.cameras) camera = placed(camera, transform);
+    for_each_medium(scene, [&](Medium& medium) { medium = placed(medium, transform); });
 }
 
 void append(Scene& whole, Scene&& part, const glm::mat4& transform) {

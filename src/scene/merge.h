@@ -10,14 +10,18 @@ inline constexpr size_t MAX_PLACED = size_t(1) << 22;
 
 /// Where the assets of a part begin in the whole.
 struct AssetOffsets {
-    uint32_t textures = 0, materials = 0, meshes = 0, names = 0;
+    uint32_t textures = 0, materials = 0, meshes = 0, names = 0, grids = 0;
+    /// Where the grids of its materials' media lie in the part, by material.
+    std::vector<glm::mat4> media{};
 };
 
-/// Moves the textures, materials, meshes and names of `part` to the end of those of `whole`.
+/// Moves the textures, materials, meshes, names and grids of `part` to the end of those of `whole`.
 AssetOffsets append_assets(Scene& whole, Scene& part);
 
 /// Places the instances, spheres, lights and cameras of `part`, whose assets lie at `offsets` in
-/// `whole`, by an affine, invertible transform. Lengths scale, intensities don't; environment and
+/// `whole`, by an affine, invertible transform; and the grids of its media, of which a part that is
+/// placed several times has one in the last place only. Lengths scale, intensities don't;
+/// environment and
 /// settings are taken where `whole` has none, and a note says that others of [whitted] are left
 /// out. Throws InputError when a sphere would be stretched or
 /// when there would be more than 2^22 instances, spheres, shapes, lights or cameras.

@@ -22,13 +22,6 @@ static int wanted_exponent(float size) {
     return fits ? 0 : -std::ilogb(size);
 }
 
-/// Rates are by length.
-static Medium scaled_medium(Medium medium, float scale) {
-    medium.absorption /= scale;
-    medium.scattering /= scale;
-    return medium;
-}
-
 static glm::mat4 even_scale(int exponent) {
     return glm::scale(glm::mat4(1.0f), glm::vec3(std::ldexp(1.0f, exponent)));
 }
@@ -65,11 +58,12 @@ int bring_to_scale(Scene& scene, std::optional<int> wanted) {
             for (auto& light : lights)
                 if constexpr (requires { light.intensity; }) light.intensity *= scale * scale;
         });
-        for (Material& material : scene.materials) {
+        for (Material& material : scene.materials)
             if (material.attenuation_distance) *material.attenuation_distance *= scale;
-            if (material.medium) material.medium = scaled_medium(*material.medium, scale);
-        }
-        scene.medium = scaled_medium(scene.medium, scale);
+        for_each_medium(scene, [&](Medium& medium) {
+            for (glm::vec3* rate : {&medium.absorption, &medium.scattering, &medium.emission})
+                *rate /= scale;
+        });
         if (scene.environment.ground) *scene.environment.ground *= scale;
         scaled += exponent;
     }

@@ -33,8 +33,9 @@ struct Scene {
     LIGHT_LISTS(ONDE_LIST)
 #undef ONDE_LIST
     Environment environment;
-    Medium medium;           ///< around everything, where nothing else is
-    bool has_studio = false; ///< the environment is the studio that loading has added
+    Medium medium;                    ///< around everything, where nothing else is
+    std::vector<DensityGrid> grids{}; ///< of media
+    bool has_studio = false;          ///< the environment is the studio that loading has added
     std::vector<Camera> cameras;
     std::optional<NextFrame> next{}; ///< of an animation, where it is asked for
     RenderSettings settings;
@@ -50,6 +51,14 @@ void for_each_light_list(AnyScene& scene, const Visit& visit) {
 #define ONDE_VISIT(Type, list, words) visit(scene.list, scene.chapter.intensities.list, words);
     LIGHT_LISTS(ONDE_VISIT)
 #undef ONDE_VISIT
+}
+
+/// Calls visit(medium) for what is around everything, and what is inside of materials.
+template <class AnyScene, class Visit>
+void for_each_medium(AnyScene& scene, const Visit& visit) {
+    visit(scene.medium);
+    for (auto& material : scene.materials)
+        if (material.medium) visit(*material.medium);
 }
 
 } // namespace onde

@@ -169,7 +169,11 @@ PackedMaterials pack_materials(const Scene& scene) {
     AlphaModes alpha_modes(scene);
     const LightGroups groups(scene);
     std::vector<uint32_t> inside(scene.materials.size(), NO_INDEX);
-    if (has_media(scene)) packed.media = pack_media(scene, inside);
+    if (has_media(scene)) {
+        PackedMedia all = pack_media(scene, inside);
+        packed.media = std::move(all.media);
+        packed.grids = std::move(all.grids);
+    }
     for (uint32_t i = 0; i < scene.materials.size(); i++) {
         const Material m = path_material(scene, i);
         MaterialRecord record{};

@@ -35,6 +35,7 @@ MaterialFeatures features_of(const Material& material);
 struct PackedMaterials {
     std::vector<MaterialRecord> records;
     std::vector<MediumRecord> media;    ///< empty where light meets nothing on its way
+    std::vector<GridRecord> grids;      ///< of media
     std::vector<uint32_t> albedos;      ///< tables of shared/albedo.h
     std::vector<SpectrumKnot> spectrum; ///< empty where nothing disperses light
 };

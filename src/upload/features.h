@@ -48,6 +48,8 @@ inline constexpr uint32_t ALL_LIGHTS = (1u << LIGHT_TYPE_COUNT) - 1;
     FEATURE(bool, transmission, false, TRANSMISSION, either) /* some coat's body is clear */       \
     FEATURE(bool, absorption, false, ABSORPTION, either)     /* in some solid */                   \
     FEATURE(bool, media, false, MEDIA, data)     /* light is scattered on its way, or absorbed */  \
+    FEATURE(bool, glow, false, GLOW, either)     /* some of them glow */                           \
+    FEATURE(bool, grids, false, GRIDS, either)   /* some are not as dense everywhere */            \
     FEATURE(bool, panes, false, PANES, either)   /* light goes straight through some thin wall */  \
     FEATURE(bool, unbent, false, UNBENT, either) /* or through solid glass, for want of others */  \
     FEATURE(uint32_t, lobes, 0, LOBES, either)   /* bits by LOBE_..., of some material */          \

@@ -7,6 +7,7 @@
 #include "upload/bvh_arrays.h"
 #include "upload/geometry.h"
 #include "upload/ground.h"
+#include "upload/media.h"
 
 #include <fmt/format.h>
 
@@ -85,6 +86,10 @@ static SceneFeatures find_features(const Scene& scene, const PackedScene& packed
     features.motion = scene.next.has_value();
     features.media = !packed.media.empty();
     features.absorption &= !features.media; // which are asked for it instead
+    features.grids = !packed.grids.empty();
+    features.glow = std::ranges::any_of(packed.media, [](const MediumRecord& medium) {
+        return std::ranges::any_of(medium.emission, [](float e) { return e > 0.0f; });
+    });
     // Rounded up, so that scenes of similar depth share a compiled program.
     const uint32_t step = features.layout == BvhLayout::wide ? 32 : 16; // GPUs have little room
     features.stack_size = std::max(2 * step, (packed.bvh.stack_size + step - 1) / step * step);
@@ -112,7 +117,14 @@ static void build_tree(PackedScene& packed, const FlatGeometry& flat, const BvhO
 std::optional<Extent> bounds_for_parallel_rays(const Scene& scene) {
     const auto is_parallel = [](const Camera& c) { return c.orthographic_height.has_value(); };
     if (std::ranges::none_of(scene.cameras, is_parallel)) return std::nullopt;
-    return extent_of(scene).all;
+    SceneExtent extent = extent_of(scene);
+    for_each_medium(scene, [&](const Medium& medium) {
+        if (medium.grid == NO_GRID) return;
+        const DensityGrid& grid = scene.grids[medium.grid];
+        const glm::dmat4 place = glm::dmat4(medium.placement) * glm::dmat4(grid.from_samples);
+        extent.add(transformed({glm::dvec3(grid.low), glm::dvec3(grid.high)}, place));
+    });
+    return extent.all;
 }
 
 static void pack_appearance(PackedScene& packed, const Scene& scene) {
@@ -121,6 +133,7 @@ static void pack_appearance(PackedScene& packed, const Scene& scene) {
     packed.albedos = std::move(materials.albedos);
     packed.spectrum = std::move(materials.spectrum);
     packed.media = std::move(materials.media);
+    packed.grids = std::move(materials.grids);
 }
 
 static void pack_geometry(PackedScene& packed, const Scene& scene, FlatGeometry flat,
@@ -168,6 +181,7 @@ PackedScene pack_scene(const Scene& scene, const BvhOptions& options, const Ligh
     packed.textures = std::move(textures.records);
     packed.texels = std::move(textures.texels);
     packed.srgb = srgb_table();
+    packed.voxels = pack_voxels(scene);
     put_environment(packed, pack_environment(scene.environment, lights.compensation));
     packed.ground_share = ground_share(scene);
     packed.ground_height = scene.environment.ground.value_or(packed.ground_height);

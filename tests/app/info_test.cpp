@@ -43,6 +43,17 @@ TEST_CASE("info counts shapes and area lights by their kinds, and the host's byt
     CHECK(more.at("host_bytes") > few.at("host_bytes"));
 }
 
+TEST_CASE("info counts media and their grids") {
+    const Folder folder;
+    const std::string cloud = in_project("scenes/cloud.toml");
+    CHECK_THAT(output_of(folder, {"info", cloud}), Catch::Contains("media         1, 1 grids, "));
+    const auto json = nlohmann::json::parse(output_of(folder, {"info", cloud, "--json"}));
+    CHECK(json.at("media") == 1);
+    CHECK(json.at("grids") == 1);
+    CHECK(json.at("grid_bytes") > 10000);
+    CHECK(json.at("device_memory").at("scene").at("densities of media") > 10000);
+}
+
 TEST_CASE("a render takes the memory that info planned") {
     const Folder folder;
     folder.write("small.toml", "[film]\nsize = [32, 24]\n[render]\nsamples = 70\n"

@@ -131,6 +131,27 @@ TEST_CASE("the light of a group is that of a scene which has only its lights") {
     }
 }
 
+TEST_CASE("the light of media that glow is other light") {
+    Scene scene = scene_of_groups();
+    scene.point_lights.resize(1); // no other light but theirs
+    scene.materials[1].ior = 1;
+    scene.materials[1].medium = {.absorption = glm::vec3(1), .emission = {2, 1, 0}};
+    Session session = session_of(scene, options_of(scene, 256));
+    session.render();
+    check_sum(session);
+    const std::vector<Image> groups = session.light_groups();
+    for (Material& material : scene.materials) material.emission = glm::vec3(0);
+    scene.point_lights.clear();
+    scene.directional_lights.clear();
+    scene.environment.radiance = glm::vec3(0);
+    RenderOptions options = small_options(16, 12, 256);
+    options.seed = 1;
+    Session alone = session_of(scene, options);
+    alone.render();
+    CHECK(mean_of(alone.picture()) > 0.001);
+    CHECK(mean_of(groups[0]) == Approx(mean_of(alone.picture())).epsilon(0.03));
+}
+
 TEST_CASE("groups leave the picture as it is, and every engine makes the same of them") {
     const Scene scene = scene_of_groups();
     RenderOptions options = small_options(16, 12, 80);

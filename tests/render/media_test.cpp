@@ -1,77 +1,13 @@
 // What light meets on its way: absorption and scattering by what is inside of things and around.
-#include "render/same_bits.h"
-
-#include <glm/gtc/matrix_transform.hpp>
+#include "render/media_scenes.h"
 
 namespace onde::test {
-namespace {
-
-/// The boundary of a medium that bends no light.
-Material boundary(const Medium& medium) {
-    Material material = doctor::furnace_material(MaterialKind::dielectric, glm::vec3(1), 0);
-    material.ior = 1;
-    material.medium = medium;
-    return material;
-}
-
-/// The mean of each channel, and its standard error by the pixels.
-struct Seen {
-    glm::dvec3 mean{0}, error{0};
-    explicit Seen(const Image& image) {
-        const size_t count = image.pixels.size() / image.channels;
-        glm::dvec3 squares(0);
-        for (size_t i = 0; i < count; i++) {
-            const float* pixel = &image.pixels[i * image.channels];
-            const glm::dvec3 value(pixel[0], pixel[1], pixel[2]);
-            mean += value / double(count);
-            squares += value * value / double(count);
-        }
-        error = glm::sqrt(glm::max(squares - mean * mean, 0.0) / double(count));
-    }
-};
-
-Seen seen(const Scene& scene, uint32_t samples, uint32_t depth, uint32_t size = 16) {
-    RenderOptions options = small_options(size, size, samples);
-    options.depth = depth;
-    return Seen(render_scene(scene, options).image);
-}
-
-void check_near(const glm::dvec3& got, const glm::dvec3& wanted, double margin) {
-    INFO(got.x << " " << got.y << " " << got.z << ", wanted " << wanted.x << " " << wanted.y << " "
-               << wanted.z);
-    CHECK(glm::length(got - wanted) < margin);
-}
-
-void check_white(const Seen& all) {
-    for (glm::length_t c = 0; c < 3; c++) {
-        INFO("channel " << c << ": " << all.mean[c] << " within " << all.error[c]);
-        CHECK(all.error[c] < 0.01);
-        CHECK(std::abs(all.mean[c] - 1) < 2e-4 + 4 * all.error[c]);
-    }
-}
-
-double phase(double cosine, double g) {
-    return (1 - g * g) / (4 * M_PI * std::pow(1 + g * g - 2 * g * cosine, 1.5));
-}
-
-/// A slab from z = 0 to -depth, seen by parallel rays along -z.
-Scene slab(const Medium& medium, float depth) {
-    Scene scene;
-    scene.materials = {boundary(medium)};
-    scene.meshes = {box_mesh(glm::vec3(3, 3, depth), 0)};
-    scene.instances = {{0, glm::translate(glm::mat4(1.0f), glm::vec3(0, 0, -0.5f * depth))}};
-    scene.cameras = {camera_at({0, 0, 5}, {0, 0, 0}, 0.1f)};
-    scene.cameras[0].orthographic_height = 1.0f;
-    return scene;
-}
-
-} // namespace
 
 TEST_CASE("what scatters without absorbing takes nothing from a white world") {
     for (const float g : {-0.5f, 0.0f, 0.8f})
         for (const glm::vec3 rate : {glm::vec3(0.3f), glm::vec3(2, 1, 0.2f)}) {
             INFO("rates " << rate.x << " " << rate.z << ", g " << g);
-            const Scene scene = doctor::furnace(boundary({glm::vec3(0), rate, g}));
+            const Scene scene = doctor::furnace(boundary({.scattering = rate, .anisotropy = g}));
             const Seen all = seen(scene, 64, 256, 32);
             check_white(all);
         }
@@ -87,7 +23,7 @@ TEST_CASE("in a glowing box fog that scatters changes nothing, found by sampling
 
 TEST_CASE("what absorbs leaves as much as the way through it says") {
     const glm::vec3 rate(0.5f, 1.0f, 3.0f);
-    Scene scene = slab({rate, glm::vec3(0), 0}, 0.8f);
+    Scene scene = slab({.absorption = rate}, 0.8f);
     scene.environment.radiance = glm::vec3(1);
     check_near(seen(scene, 4, 8).mean, glm::exp(-glm::dvec3(rate) * 0.8), 1e-4);
 
@@ -109,7 +45,10 @@ TEST_CASE("light that is scattered once comes back as the phase function and the
     for (const float g : {0.0f, -0.6f, 0.7f}) {
         const glm::dvec3 absorbed(0.2, 0.5, 0.1), scattered(0.8, 0.3, 1.9);
         const float depth = 1.5f;
-        Scene scene = slab({glm::vec3(absorbed), glm::vec3(scattered), g}, depth);
+        Scene scene = slab({.absorption = glm::vec3(absorbed),
+                            .scattering = glm::vec3(scattered),
+                            .anisotropy = g},
+                           depth);
         DirectionalLight sun; // from behind the camera, slanted
         const double cosine = 0.8;
         sun.to_light = glm::vec3(std::sqrt(1 - cosine * cosine), 0, cosine);
@@ -126,7 +65,7 @@ TEST_CASE("light that is scattered once comes back as the phase function and the
 
 TEST_CASE("things in a medium, and glass in it, end where they should") {
     // A black ball in fog that only absorbs, in a white world: seen is what is left around it.
-    Scene scene = slab({glm::vec3(0.7f), glm::vec3(0), 0}, 2.0f);
+    Scene scene = slab({.absorption = glm::vec3(0.7f)}, 2.0f);
     scene.environment.radiance = glm::vec3(1);
     Material glow = doctor::furnace_material(MaterialKind::diffuse, glm::vec3(0), 1);
     glow.emission = glm::vec3(1);
@@ -139,8 +78,39 @@ TEST_CASE("things in a medium, and glass in it, end where they should") {
     check_near(seen(scene, 4, 8).mean, glm::dvec3(std::exp(-0.7 * 1.5)), 1e-4);
 }
 
+TEST_CASE("what glows adds as much as the way through it says") {
+    const glm::dvec3 absorbed(0.0, 0.5, 3.0), glow(0.7, 0.2, 1.1);
+    const double depth = 0.8;
+    const Scene scene =
+        slab({.absorption = glm::vec3(absorbed), .emission = glm::vec3(glow)}, float(depth));
+    const glm::dvec3 far = 1.0 - glm::exp(-absorbed * depth);
+    check_near(seen(scene, 4, 8).mean,
+               {glow.x * depth, glow.y / absorbed.y * far.y, glow.z / absorbed.z * far.z}, 1e-4);
+    // Around everything, to the wall and to where there is no end.
+    Scene room = doctor::floor_seen_from_above(0.5f); // from a height of 0.5
+    room.medium = {.absorption = glm::vec3(2), .emission = glm::vec3(0.6f)};
+    check_near(seen(room, 4, 1).mean, glm::dvec3(0.3 * (1 - std::exp(-1.0))), 1e-4);
+    Scene sky = slab({}, 0.1f);
+    sky.cameras[0].camera_to_world = glm::translate(glm::mat4(1.0f), glm::vec3(0, 50, 0));
+    sky.medium = room.medium;
+    check_near(seen(sky, 4, 1).mean, glm::dvec3(0.3), 1e-5);
+}
+
+TEST_CASE("what glows as much as it absorbs of a white world is not seen in it") {
+    for (const glm::vec3 scattering : {glm::vec3(0.0f), glm::vec3(2, 1, 0.2f)}) {
+        const Medium medium{.absorption = glm::vec3(0.5f, 1.5f, 0.1f),
+                            .scattering = scattering,
+                            .emission = glm::vec3(0.5f, 1.5f, 0.1f),
+                            .anisotropy = 0.4f};
+        check_white(seen(doctor::furnace(boundary(medium)), 64, 256, 32));
+    }
+}
+
 TEST_CASE("media have the same bits in all engines and lanes") {
-    Scene scene = doctor::furnace(boundary({glm::vec3(0.1f), glm::vec3(1, 2, 3), 0.5f}));
+    Scene scene = doctor::furnace(boundary({.absorption = glm::vec3(0.1f),
+                                            .scattering = glm::vec3(1, 2, 3),
+                                            .emission = glm::vec3(0.2f, 0, 0.1f),
+                                            .anisotropy = 0.5f}));
     doctor::add_square_light(scene, 1.0f, 3.0f, 5.0f);
     scene.medium.scattering = glm::vec3(0.05f);
     scene.environment.radiance = glm::vec3(0);
@@ -155,6 +125,8 @@ TEST_CASE("media are for what is clear, and for the path tracer") {
     opaque.materials[0].medium = Medium{};
     CHECK_THROWS_WITH(check_scene(opaque), Catch::Contains("medium needs a clear kind"));
     Scene fog = doctor::glowing_box(glm::vec3(0.5f));
+    fog.medium.emission = glm::vec3(1);
+    CHECK_THROWS_WITH(check_scene(fog), Catch::Contains("no end"));
     fog.medium.scattering = glm::vec3(1);
     RenderOptions options = small_options(8, 8, 1);
     options.integrator = IntegratorKind::light;

@@ -70,6 +70,8 @@ inline SceneFeatures all_features(const SceneFeatures& own) {
     features.vertex_colors = own.vertex_colors;
     features.light_tree = own.light_tree;
     features.media = own.media;
+    features.glow = own.glow;
+    features.grids = own.grids;
     return features;
 }
 

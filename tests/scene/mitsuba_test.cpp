@@ -166,6 +166,48 @@ TEST_CASE("BSDFs become the nearest materials") {
     CHECK(blended.materials.at(*first.blend_with).kind == MaterialKind::conductor);
 }
 
+TEST_CASE("heterogeneous media have grids, in the unit cube or in their own box") {
+    ScratchFolder folder;
+    std::string vol = "VOL\3";
+    const auto add = [&](const auto& value) {
+        vol.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    };
+    for (const uint32_t word : {1u, 2u, 1u, 1u, 1u}) add(word);
+    for (const float edge : {-2.0f, 0.0f, 0.0f, 2.0f, 1.0f, 1.0f, 0.25f, 0.75f}) add(edge);
+    folder.write("smoke.vol", vol);
+    const auto loaded = [&](const std::string& flags) {
+        return load_scene(folder.write(
+            "a.xml",
+            scene_of("<shape type='sphere'><bsdf type='null'/><medium type='heterogeneous' "
+                     "name='interior'><volume name='sigma_t' type='gridvolume'><string "
+                     "name='filename' value='smoke.vol'/>" +
+                     flags +
+                     "</volume><volume name='albedo' type='constvolume'><float name='value' "
+                     "value='.25'/></volume><float name='scale' value='8'/></medium></shape>")));
+    };
+    const auto check = [](const Scene& scene, const glm::vec3& low, float length) {
+        REQUIRE(scene.grids.size() == 1);
+        const Medium& medium = *scene.materials.at(0).medium;
+        check_near(medium.scattering, glm::vec3(2));
+        check_near(medium.absorption, glm::vec3(6));
+        const glm::mat4 to_samples = glm::inverse(medium.placement * scene.grids[0].from_samples);
+        const auto there = [&](float share) {
+            const glm::vec3 p = low + glm::vec3(share * length, 0.5f, 0.5f);
+            return density_at(scene.grids[0], glm::vec3(to_samples * glm::vec4(p, 1)));
+        };
+        CHECK(there(-0.01f) == 0);
+        CHECK(there(0.1f) == Approx(0.25).margin(1e-4));
+        CHECK(there(0.9f) == Approx(0.75).margin(1e-4));
+        CHECK(there(1.01f) == 0);
+    };
+    check(loaded("<transform name='to_world'><translate x='3'/></transform>"), {3, 0, 0}, 1);
+    check(loaded("<boolean name='use_grid_bbox' value='true'/>"), {-2, 0, 0}, 4);
+    CHECK(has_note(loaded("<transform name='to_world'><scale x='0'/></transform>"),
+                   "scaled to nothing"));
+    folder.write("smoke.vol", vol.substr(0, 50));
+    CHECK(has_note(loaded(""), "can't be read"));
+}
+
 TEST_CASE("media are inside of shapes and around the sensor") {
     const Scene scene =
         load("<medium type='homogeneous' id='m'><rgb name='albedo' value='.25,.5,1'/><float "

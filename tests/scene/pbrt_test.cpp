@@ -173,6 +173,43 @@ TEST_CASE("materials become the nearest that there are") {
     CHECK(material_of("Material \"interface\"").alpha == 0.0f);
 }
 
+TEST_CASE("media have grids of the file itself and of NanoVDB, placed, and glow") {
+    const Scene scene = load(
+        "AttributeBegin\nTranslate 1 2 3\nMakeNamedMedium \"g\" \"string type\" \"uniformgrid\" "
+        "\"integer nx\" 2 \"integer ny\" 1 \"integer nz\" 1 \"float density\" [ 0.25 0.75 ] "
+        "\"point3 p1\" [ 2 1 1 ] \"float scale\" 3 \"rgb Le\" [ 1 2 4 ] \"float Lescale\" 0.5\n"
+        "AttributeEnd\nMediumInterface \"\" \"g\"\nCamera \"perspective\"\nWorldBegin\n" +
+        TRIANGLE);
+    REQUIRE(scene.grids.size() == 1);
+    CHECK(scene.medium.grid == 0);
+    check_near(scene.medium.absorption, glm::vec3(3));
+    check_near(scene.medium.scattering, glm::vec3(3));
+    check_near(scene.medium.emission, {1.5f, 3.0f, 6.0f});
+    // The camera's world is mirrored in z.
+    const glm::mat4 to_samples = glm::inverse(scene.medium.placement * scene.grids[0].from_samples);
+    const auto there = [&](const glm::vec3& p) {
+        return density_at(scene.grids[0], glm::vec3(to_samples * glm::vec4(p, 1)));
+    };
+    const float z = scene.medium.placement[3].z + 0.5f * scene.medium.placement[2].z;
+    const float x = scene.medium.placement[3].x, along = scene.medium.placement[0].x;
+    CHECK(there({x + 0.2f * along, 2.5f, z}) == Approx(0.25).margin(1e-4));
+    CHECK(there({x + 1.8f * along, 2.5f, z}) == Approx(0.75).margin(1e-4));
+    CHECK(there({x + 2.1f * along, 2.5f, z}) == 0);
+    const std::string broken =
+        "MakeNamedMedium \"g\" \"string type\" \"uniformgrid\" \"integer nx\" 3 \"float density\" "
+        "[ 1 ]\nWorldBegin\n";
+    CHECK(has_note(load(broken + TRIANGLE), "not as large as they say"));
+    CHECK(has_note(load("MakeNamedMedium \"g\" \"string type\" \"nanovdb\" \"string filename\" "
+                        "\"none.nvdb\"\nWorldBegin\n" +
+                        TRIANGLE),
+                   "Grids of densities that are missing"));
+    CHECK(
+        has_note(load("Scale 1 0 1\nMakeNamedMedium \"g\" \"string type\" \"uniformgrid\" \"float "
+                      "density\" [ 1 ]\nIdentity\nWorldBegin\n" +
+                      TRIANGLE),
+                 "scaled to nothing"));
+}
+
 TEST_CASE("media are inside of shapes and around the camera") {
     const std::string media =
         "MakeNamedMedium \"smoke\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [ 1 2 3 ] \"rgb "

@@ -136,7 +136,7 @@ OUTLINED Step estimator_vertex(Estimator e, State ray, Hits hits, natural id, ui
 
 #if ESTIMATOR_TRANSLUCENT
 INLINE real3 estimator_transmittance(Estimator e, real3 origin, real3 direction, real distance,
-                                     natural way, mask lanes) {
+                                     natural way, natural id, uint bounce, mask lanes) {
     SpilledRays rays;
     spill_rays(&rays, origin, direction);
     float end[ONDE_WIDTH], through[ONDE_WIDTH];

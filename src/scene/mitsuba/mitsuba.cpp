@@ -21,7 +21,7 @@ void Reader::add(const Element& element) {
     if (element.tag == "emitter") return add_emitter(element);
     if (element.tag == "shape") return add_shape(element, nullptr);
     if (element.tag == "bsdf" || element.tag == "texture" || element.tag == "medium" ||
-        element.tag == "phase")
+        element.tag == "phase" || element.tag == "volume")
         return; // for those who refer to it
     notes_.add("Other elements of scenes are left out", element.tag);
 }
@@ -64,8 +64,10 @@ std::vector<FileWord> plugin_words() {
         {"spot", "a light that fades toward its rim as glTF's do, with a note"},
         {"constant", "the environment"},
         {"envmap", "the environment"},
-        {"homogeneous",
-         "what is inside of a shape, or around a sensor; other media are left out, with a note"},
+        {"homogeneous", "a medium inside of a shape, or around a sensor"},
+        {"heterogeneous", "the same with a grid; media without one are left out, with a note"},
+        {"gridvolume", "the density of a medium; of colours it is left out, with a note"},
+        {"constvolume", "a colour"},
         {"hg", "how a medium scatters; others scatter evenly, with a note"},
         {"obj", "the mesh alone"},
         {"ply", "the mesh alone"},

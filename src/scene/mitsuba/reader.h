@@ -1,5 +1,5 @@
 // The scene that a Mitsuba file is being made of: sensors and settings in view.cpp, emitters in
-// emitter.cpp, shapes in shape.cpp.
+// emitter.cpp, shapes in shape.cpp, media in medium.cpp.
 #pragma once
 
 #include "scene/exact_scene.h"
@@ -58,6 +58,10 @@ class Reader {
     void place(const Part& part, Parts* group);
     uint32_t material_of(const Element& shape);
     std::optional<Medium> medium_of(const Element* element);
+    bool take_grid(Medium& medium, const Element& volume);
+    std::optional<uint32_t> grid_of(const Element& volume);
+    glm::dvec3 color_of(const Element& of, std::string_view name, double absent);
+    void set_phase(Medium& medium, const Element& phase);
 
     LoadContext& context_;
     std::string name_;
@@ -70,6 +74,7 @@ class Reader {
     std::map<Look, uint32_t> looks_; ///< to materials of the scene
     std::map<std::tuple<std::string, uint32_t, bool, bool, bool>, KnownMesh> mesh_files_;
     std::map<const Element*, Parts> groups_;
+    std::map<std::string, uint32_t> grid_files_; ///< to grids of the scene
 };
 
 } // namespace onde::mitsuba

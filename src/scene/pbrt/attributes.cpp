@@ -83,40 +83,4 @@ void Reader::light_source() {
     add_light(kind, p, state_.transform, scene_, sky_, sources_);
 }
 
-void Reader::make_named_medium() {
-    const std::string name = text("a name");
-    const Parameters p = parameters();
-    const std::string kind = p.text("type").value_or("");
-    if (kind != "homogeneous")
-        return notes_.add("Media that are not homogeneous are left out", name);
-    if (p.has("preset")) notes_.add("Media of named substances are pbrt's default", name);
-    const double scale = p.number("scale").value_or(1.0);
-    const auto rate = [&](std::string_view key, const glm::dvec3& absent) {
-        const auto value = spectrum_of(p, key, sources_);
-        const glm::dvec3 color = !value       ? absent
-                                 : value->rgb ? *value->rgb
-                                              : spectrum::color_of_surface(value->curve);
-        return glm::vec3(glm::clamp(color * scale, 0.0, 1e30));
-    };
-    // What the format has where nothing is stated, per millimetre.
-    Medium& medium = media_[name];
-    medium.absorption = rate("sigma_a", {0.0011, 0.0024, 0.014});
-    medium.scattering = rate("sigma_s", {2.55, 3.21, 3.77});
-    medium.anisotropy = float(std::clamp(p.number("g").value_or(0.0), -0.99, 0.99));
-    if (p.has("Le")) notes_.add("Media do not glow", name);
-}
-
-void Reader::medium_interface() {
-    state_.inside = state_.outside = text("a medium");
-    const auto token = tokens_->peek();
-    if (token && token->kind == Token::Kind::text) state_.outside = text("a medium");
-}
-
-const Medium* Reader::find_medium(const std::string& name) {
-    if (name.empty()) return nullptr;
-    const auto found = media_.find(name);
-    if (found == media_.end()) notes_.wrong("Media that are not defined are left out", name);
-    return found == media_.end() ? nullptr : &found->second;
-}
-
 } // namespace onde::pbrt

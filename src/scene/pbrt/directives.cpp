@@ -60,7 +60,8 @@ const Reader::Directive Reader::DIRECTIVES[] = {
      "`trianglemesh`, `plymesh`, `sphere`, `disk`, `cylinder`, `bilinearmesh` and `loopsubdiv` by "
      "their corners; others are left out, with a note"},
     {"MakeNamedMedium", &Reader::make_named_medium,
-     "`homogeneous`; others are left out, with a note"},
+     "`homogeneous`, `uniformgrid` and `nanovdb` by their density; others are left out, with a "
+     "note"},
     {"MediumInterface", &Reader::medium_interface,
      "what is inside of shapes that let light in, and around the camera"}};
 

@@ -1,6 +1,6 @@
 // The scene that a pbrt file is being read into: directive by directive, as the file goes on.
 // Statements in directives.cpp, transforms in transforms.cpp, materials and what else attributes
-// hold in attributes.cpp, shapes and objects in world.cpp.
+// hold in attributes.cpp, media in media.cpp, shapes and objects in world.cpp.
 #pragma once
 
 #include "scene/exact_scene.h"
@@ -128,6 +128,12 @@ class Reader {
     void add_cylinder(const Parameters& parameters);
     uint32_t number_of_material(const std::string& name);
     const Medium* find_medium(const std::string& name);
+    /// Of the scene's grids; nothing, with a note, where there is none.
+    std::optional<uint32_t> uniform_grid(const Parameters& parameters);
+    std::optional<uint32_t> grid_file(const Parameters& parameters);
+    uint32_t add_grid(DensityGrid grid);
+    bool place_grid(Medium& medium, uint32_t grid);
+    void set_emission(Medium& medium, const Parameters& parameters);
     void convert_looks();
     void add_opacity(const Look& look, Material& material);
     void report();
@@ -157,8 +163,9 @@ class Reader {
     std::map<std::string, uint32_t> material_of_name_;
     std::vector<AreaLight> area_lights_;
     std::map<std::string, Medium> media_;
-    std::string around_camera_;      ///< a medium
-    std::map<Look, uint32_t> looks_; ///< to materials of the scene
+    std::map<std::string, uint32_t> grid_files_; ///< to grids of the scene
+    std::string around_camera_;                  ///< a medium
+    std::map<Look, uint32_t> looks_;             ///< to materials of the scene
     struct KnownMesh {
         uint32_t mesh;
         glm::dvec3 origin;

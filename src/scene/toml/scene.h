@@ -42,6 +42,13 @@ class TomlScene {
     /// Those of the materials that something in the scene has.
     void read_textures(const TableReader& root);
     void read_environment(const TableReader& root);
+    /// Where the grids of its own media lie, and which ones they are.
+    void place_media(const TableReader& root);
+    void read_grids(const TableReader& root);
+    uint32_t grid(const TableReader& medium);
+    /// Calls visit(medium, its table) for each that has a density.
+    template <class Visit>
+    void for_each_grid(const TableReader& root, const Visit& visit);
     void read_shape(const TableReader& table);
     void read_light(const TableReader& table);
     void read_includes(const TableReader& root);
@@ -88,8 +95,9 @@ class TomlScene {
     Scene scene_;
     std::map<std::string, uint32_t> material_of_name_;
     std::map<std::string, Part> parts_;
+    std::map<std::string, uint32_t> grid_of_file_;
     int64_t default_material_ = -1;
-    bool has_own_environment_ = false;
+    bool has_own_environment_ = false, has_own_medium_ = false;
     /// What was made of a table, by its place in the file, so that it is made anew in its place.
     std::map<std::string, uint32_t> mesh_of_table_, emitter_of_table_, name_of_table_;
 };

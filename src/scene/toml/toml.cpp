@@ -53,12 +53,15 @@ Scene TomlScene::read(const TableReader& root) {
     root.allow({"camera", "film", "render", "whitted", "material", "shape", "light", "environment",
                 "medium", "include", "lesson"});
     read_settings(root);
-    for (const TableReader& medium : root.tables("medium"))
+    for (const TableReader& medium : root.tables("medium")) {
         scene_.medium = read_only<Medium>(medium);
+        has_own_medium_ = true;
+    }
     for (const TableReader& lesson : root.tables("lesson"))
         scene_.chapter.lesson = read_lesson(lesson);
     for (const TableReader& material : root.tables("material")) read_material(material);
     read_blends(root);
+    read_grids(root);
     read_places(root);
     scene_.origin = origin_of(extent_of(scene_));
     if (scene_.origin != glm::dvec3(0.0)) {
@@ -74,6 +77,7 @@ void TomlScene::read_places(const TableReader& root) {
     for (const TableReader& shape : root.tables("shape")) read_shape(shape);
     for (const TableReader& light : root.tables("light")) read_light(light);
     read_environment(root);
+    place_media(root);
     read_includes(root);
 }
 
@@ -88,6 +92,7 @@ void TomlScene::forget_places() {
     scene_.chapter.area_lights.clear();
     scene_.cameras.clear();
     if (!has_own_environment_) scene_.environment = {};
+    if (!has_own_medium_) scene_.medium = {};
 }
 
 void TomlScene::read_settings(const TableReader& root) {

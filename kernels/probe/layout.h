@@ -128,6 +128,7 @@
     OFFSET(FrameRecord, camera_mover)                                                              \
     OFFSET(FrameRecord, first_sun)                                                                 \
     OFFSET(FrameRecord, sun_count)                                                                 \
+    OFFSET(FrameRecord, unused)                                                                    \
     OFFSET(FrameRecord, filter_table)                                                              \
     SIZE(SpectrumKnot)                                                                             \
     OFFSET(SpectrumKnot, bend)                                                                     \

@@ -48,6 +48,7 @@ typedef struct {
     float fisheye_step;         // turns a pixel
     uint camera_mover; // the instance whose motion the camera has; NO_INDEX: it stands still
     uint first_sun, sun_count; // directional lights that have a size, among the lights
+    uint unused[2];
     // Inverse cumulative distribution of the pixel filter, offsets in pixels.
     float filter_table[FILTER_TABLE_SIZE];
 } FrameRecord;

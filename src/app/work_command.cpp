@@ -1,6 +1,7 @@
 #include "app/work_command.h"
 
 #include "app/film_request.h"
+#include "app/motion_request.h"
 #include "app/picture.h"
 #include "app/picture_files.h"
 #include "app/unit_renderer.h"

@@ -2,6 +2,7 @@
 #include "scene/load.h"
 #include "scene/scratch.h"
 #include "scene/shutter.h"
+#include "support/folders.h"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -225,7 +226,7 @@ Shape "sphere"
 }
 
 TEST_CASE("a glTF animation blurs from its second on") {
-    const std::filesystem::path slide = ONDE_SOURCE_DIR "/tests/data/motion/slide.gltf";
+    const std::filesystem::path slide = onde::test::in_project("tests/data/motion/slide.gltf");
     LoadOptions options;
     options.scene = "1";
     options.at = 0.25;

@@ -67,6 +67,19 @@ bool stands_still(const Matrices& places) {
     return std::ranges::all_of(places, [&](const glm::mat4& m) { return m == places[0]; });
 }
 
+/// Whether mixing the first and the last gives all that lie between, but for rounding.
+bool is_straight(const Matrices& places) {
+    constexpr float ROUNDING = 1e-5f;
+    const glm::mat4 way = places.back() - places.front();
+    for (size_t i = 0; i < places.size(); ++i) {
+        const float share = float(i) / float(places.size() - 1);
+        const glm::mat4 off = places[i] - (places.front() + share * way);
+        for (glm::length_t column = 0; column < 4; ++column)
+            if (glm::length(off[column]) > ROUNDING * glm::length(way[column])) return false;
+    }
+    return true;
+}
+
 std::vector<Pose> poses_of(const Matrices& places) {
     std::vector<Pose> poses;
     for (const glm::mat4& place : places) poses.push_back(pose_of(glm::dmat4(place)));
@@ -279,6 +292,7 @@ MotionKeys motion_keys(const std::vector<glm::mat4>& places) {
     constexpr double FLATTER = 2e-4; // than a circle, by its radius
     if (stands_still(places)) return {};
     const std::vector<Pose> poses = poses_of(places);
+    if (largest_turn(poses) < 1e-6 && is_straight(places)) return {places.front(), places.back()};
     const size_t intervals = places.size() - 1;
     const double most = 2.0 * std::acos(1.0 - FLATTER);
     const auto wanted = size_t(std::max(1.0, std::ceil(largest_turn(poses) / most)));

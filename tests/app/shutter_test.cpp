@@ -2,12 +2,13 @@
 // said, and what is refused.
 #include "image/image_io.h"
 #include "onde_process.h"
+#include "support/folders.h"
 
 using namespace onde::test;
 
 namespace {
 
-const std::string SLIDE = ONDE_SOURCE_DIR "/tests/data/motion/slide.gltf"; ///< right and up in 1 s
+const std::string SLIDE = in_project("tests/data/motion/slide.gltf"); ///< right and up in 1 s
 
 Outcome succeed(const Folder& folder, const Arguments& arguments) {
     const Outcome outcome = onde::test::onde(folder, arguments);
@@ -89,7 +90,8 @@ TEST_CASE(
     const std::vector<float> blurred = alpha_of(folder / "blurred.exr");
     CHECK(blurred_pixels(blurred) > 2 * blurred_pixels(alpha_of(folder / "still.exr")));
     double off = 0;
-    for (size_t k = 0; k < mean.size(); k++) off += std::abs(mean[k] - blurred[k]) / mean.size();
+    for (size_t k = 0; k < mean.size(); k++)
+        off += std::abs(mean[k] - blurred[k]) / double(mean.size());
     CHECK(off < 0.01); // 64 samples of each, stratified
 }
 

@@ -36,7 +36,7 @@ SceneProbe probe_of(const Camera& camera, const std::string& name) {
 }
 
 glm::dvec3 in_world(const Camera& camera, const glm::dvec3& d) {
-    return glm::dmat3(camera.camera_to_world) * d;
+    return glm::dmat3(glm::dmat4(camera.camera_to_world)) * d;
 }
 
 /// The direction of a place on the film, in the space of the camera, which looks along -Z.

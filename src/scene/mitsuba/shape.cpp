@@ -45,32 +45,6 @@ uint32_t Reader::material_of(const Element& shape) {
     return looks_[look] = number;
 }
 
-std::optional<Medium> Reader::medium_of(const Element* element) {
-    if (!element) return std::nullopt;
-    if ((*element)["type"] != "homogeneous") {
-        notes_.add("Media that are not homogeneous are left out", element->where);
-        return std::nullopt;
-    }
-    const Values values(document_, *element);
-    const double scale = values.number("scale", 1.0);
-    const auto color = [&](std::string_view name, double absent) {
-        return values.color(name).value_or(glm::dvec3(values.number(name, absent)));
-    };
-    const glm::dvec3 rate = glm::clamp(color("sigma_t", 1.0) * scale, 0.0, 1e30);
-    const glm::dvec3 albedo = glm::clamp(color("albedo", 0.75), 0.0, 1.0);
-    Medium medium;
-    medium.scattering = glm::vec3(rate * albedo);
-    medium.absorption = glm::vec3(rate * (1.0 - albedo));
-    if (const Element* phase = document_.child(*element, "phase")) {
-        if ((*phase)["type"] == "hg")
-            medium.anisotropy =
-                float(std::clamp(Values(document_, *phase).number("g", 0.8), -0.99, 0.99));
-        else if ((*phase)["type"] != "isotropic")
-            notes_.add("Phase functions other than hg scatter evenly", phase->where);
-    }
-    return medium;
-}
-
 void Reader::add_shape(const Element& shape, Parts* group) {
     const std::string& type = shape["type"];
     if (type == "obj" || type == "ply" || type == "stl") return add_mesh_file(shape, group);

@@ -28,15 +28,11 @@ void TomlScene::for_each_grid(const TableReader& root, const Visit& visit) {
     }
 }
 
-void TomlScene::place_media(const TableReader& root) {
+void TomlScene::read_grids(const TableReader& root) {
     for_each_grid(root, [&](Medium& medium, const TableReader& table) {
+        medium.grid = grid(table);
         medium.placement = placement(table);
     });
-}
-
-void TomlScene::read_grids(const TableReader& root) {
-    for_each_grid(root,
-                  [&](Medium& medium, const TableReader& table) { medium.grid = grid(table); });
 }
 
 uint32_t TomlScene::grid(const TableReader& medium) {

@@ -43,8 +43,7 @@ class TomlScene {
     /// Those of the materials that something in the scene has.
     void read_textures(const TableReader& root);
     void read_environment(const TableReader& root);
-    /// Where the grids of its own media lie, and which ones they are.
-    void place_media(const TableReader& root);
+    /// Those of its own media, and where they lie, counted from the root's origin.
     void read_grids(const TableReader& root);
     uint32_t grid(const TableReader& medium);
     /// Calls visit(medium, its table) for each that has a density.

@@ -61,14 +61,16 @@ Scene TomlScene::read(const TableReader& root) {
         scene_.chapter.lesson = read_lesson(lesson);
     for (const TableReader& material : root.tables("material")) read_material(material);
     read_blends(root);
-    read_grids(root);
     read_places(root);
     scene_.origin = origin_of(extent_of(scene_));
     if (scene_.origin != glm::dvec3(0.0)) {
         forget_places();
         read_places(root.about(scene_.origin));
     }
-    if (!context_.options().only_shapes) read_textures(root);
+    if (!context_.options().only_shapes) {
+        read_textures(root);
+        read_grids(root.about(scene_.origin));
+    }
     return std::move(scene_);
 }
 
@@ -77,7 +79,6 @@ void TomlScene::read_places(const TableReader& root) {
     for (const TableReader& shape : root.tables("shape")) read_shape(shape);
     for (const TableReader& light : root.tables("light")) read_light(light);
     read_environment(root);
-    place_media(root);
     read_includes(root);
 }
 

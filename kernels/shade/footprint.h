@@ -10,6 +10,9 @@
 // et al. 2021, Improved Shader and Texture Level of Detail Using Ray Cones) where it is narrowest.
 // Away from the picture's middle, pixels are seen from further off and aslant.
 INLINE real pixel_width(__global const FrameRecord* frame, real3 direction, real t) {
+    #if ONDE_PROJECTIONS
+    if (is_wide(frame)) return t / sqrt(wide_place(frame, direction).density);
+    #endif
     const real step = length3(uniform3(frame->step_x));
     if (frame->orthographic) return step;
     const real cosine = dot3(direction, uniform3(frame->forward));

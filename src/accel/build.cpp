@@ -126,6 +126,7 @@ Bvh build_bvh(std::span<const Geometry> geometries, std::span<const Placement> p
         roots[geometry] = trees[geometry]->emit(geometries, places[geometry], bvh);
     });
     put_instances(placements, roots, bvh.instances);
+    bvh.placements = uint32_t(placements.size());
 
     bvh.has_instances = !attached.shown.empty();
     bvh.stack_size = world.size().stack + 1;

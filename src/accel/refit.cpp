@@ -121,7 +121,7 @@ class Refitter {
 void refit_bvh(Bvh& bvh, std::span<const Geometry> geometries,
                std::span<const Placement> placements, const BvhOptions& options) {
     const Timer timer;
-    if (bvh.layout != BvhLayout::wide || placements.size() > bvh.instances.size())
+    if (bvh.layout != BvhLayout::wide || placements.size() != bvh.placements)
         throw InputError("only a wide tree can be fitted to moved vertices, under as many "
                          "placements as it was built for; build it anew");
     Refitter(bvh, geometries, placements, options.parallel).refit();

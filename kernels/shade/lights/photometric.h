@@ -10,9 +10,12 @@ typedef struct {
     natural rows, columns;
 } Profile;
 
+// The first profile in lanes of other lights, whose word is another index.
 INLINE Profile light_profile(SceneView view, natural light) {
+    const mask own = RECORD_NATURAL(view.lights, light, LightRecord, kind) == LIGHT_PHOTOMETRIC;
+    const natural first = RECORD_NATURAL(view.lights, light, LightRecord, surface);
     Profile p;
-    p.first = RECORD_NATURAL(view.lights, light, LightRecord, surface);
+    p.first = choose(own, first, (natural)(0u));
     p.rows = gather_natural(view.profiles, p.first + PROFILE_ROWS);
     p.columns = gather_natural(view.profiles, p.first + PROFILE_COLUMNS);
     return p;

@@ -109,7 +109,7 @@ struct Bvh {
     AlignedVector<BvhSlot> slots;
     AlignedVector<BvhSphere> spheres;
     AlignedVector<BvhInstance> instances;
-    uint32_t placements = 0; ///< the first of the instances; behind them lie keys
+    uint32_t placements = 0;    ///< the first of the instances; behind them lie keys
     uint32_t root = 0;          ///< child word
     uint32_t stack_size = 1;    ///< entries that a traversal may need at once, over both levels
     bool has_instances = false; ///< false when no leaf of the tree is an instance

@@ -1,4 +1,5 @@
-// Attributes of Mitsuba's meshes: colours and weights that PLY files have by vertex or face.
+// Attributes of meshes that scenes of other renderers name: colours and weights that PLY files have
+// by vertex or face.
 #pragma once
 
 #include "scene/load_context.h"
@@ -7,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace onde::mitsuba {
+namespace onde {
 
 /// What colours a mesh: "vertex_color" are the properties color_0, color_1 and color_2 of its
 /// file's vertices. Of three numbers each is a colour's; a single one mixes all of them.
@@ -22,4 +23,4 @@ struct MeshAttribute {
 bool color_by(Mesh& mesh, const std::filesystem::path& file, const MeshAttribute& attribute,
               LoadContext& context);
 
-} // namespace onde::mitsuba
+} // namespace onde

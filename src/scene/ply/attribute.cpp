@@ -1,4 +1,4 @@
-#include "scene/mitsuba/attribute.h"
+#include "scene/mesh_attribute.h"
 
 #include "scene/mesh_parts.h"
 #include "scene/ply/body.h"
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onde::mitsuba {
+namespace onde {
 namespace {
 
 /// Which number of the attribute a property is: 1 of "color_1" for "color"; nothing for another.
@@ -18,9 +18,9 @@ std::optional<size_t> component(const ply::Property& property, std::string_view 
     return std::nullopt;
 }
 
-class Reader {
+class AttributeReader {
   public:
-    Reader(const std::string& name, std::string_view file, const MeshAttribute& attribute)
+    AttributeReader(const std::string& name, std::string_view file, const MeshAttribute& attribute)
         : header_(ply::read_header(name, file)),
           body_(name, file.substr(header_.size), header_.encoding), attribute_(attribute) {}
 
@@ -104,7 +104,7 @@ bool color_by(Mesh& mesh, const std::filesystem::path& file, const MeshAttribute
     const auto wanted =
         std::string_view(attribute.name).substr((is_of_faces ? FACE : VERTEX).size());
     std::vector<glm::vec4> colors =
-        Reader(name, bytes, attribute).read(is_of_faces ? ply::FACE : ply::VERTEX, wanted);
+        AttributeReader(name, bytes, attribute).read(is_of_faces ? ply::FACE : ply::VERTEX, wanted);
     const size_t needed = is_of_faces ? mesh.triangles.size() : mesh.positions.size();
     if (colors.empty() || colors.size() != needed) return false;
     if (is_of_faces) {
@@ -118,4 +118,4 @@ bool color_by(Mesh& mesh, const std::filesystem::path& file, const MeshAttribute
     return true;
 }
 
-} // namespace onde::mitsuba
+} // namespace onde

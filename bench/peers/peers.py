@@ -36,7 +36,7 @@ def arguments():
     parser.add_argument("--threads", type=positive, default=len(os.sched_getaffinity(0)), help="of each renderer (all)")
     parser.add_argument("--peers", default="", help="which, with commas between (all that can be installed)")
     parser.add_argument("--environment", type=Path, help="an equirectangular .exr or .hdr in place of the built-in sky")
-    parser.add_argument("--reference-seconds", type=float, default=10, help="for the reference of each, of 2 to 16 runs (10)")
+    parser.add_argument("--reference-seconds", type=float, default=5, help="for the reference of each, of 2 to 16 runs (5)")
     parser.add_argument("--quick", action="store_true", help="64x64, 4 samples: whether everything works")
     parser.add_argument("--onde", type=Path, default=ROOT / "build/onde/onde")
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "build/peers/results", help="folder of peers.json, peers.md, pictures")

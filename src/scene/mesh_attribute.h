@@ -1,20 +1,26 @@
-// Numbers that a PLY file has of its vertices or faces beside those that every mesh has.
+// Attributes of meshes that scenes of other renderers name: colours and weights that PLY files have
+// by vertex or face.
 #pragma once
 
-#include <glm/glm.hpp>
+#include "scene/load_context.h"
+#include "scene/scene.h"
 
+#include <filesystem>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace onde {
 
-enum class AttributeOf { vertices, faces };
+/// What colours a mesh: "vertex_color" are the properties color_0, color_1 and color_2 of its
+/// file's vertices. Of three numbers each is a colour's; a single one mixes all of them.
+struct MeshAttribute {
+    std::string name;
+    glm::vec3 at_zero{0.0f}, at_one{1.0f}; ///< the colours that stand for 0 and for 1
+};
 
-/// Those of an attribute, row by row: of "color" what color_0, color_1 and color_2 say, or color_0
-/// alone, which then stands for all three. Nothing where the file lacks it. `name` is used in error
-/// sentences; throws InputError where the file is no PLY file, or a damaged one.
-std::vector<glm::dvec3> ply_attribute(const std::string& name, std::string_view file,
-                                      AttributeOf of, std::string_view attribute);
+/// Gives the mesh, which is that of the PLY file, the attribute as colours of its vertices; where
+/// it belongs to faces, each gets vertices of its own. False where the file does not have it, or
+/// not for each vertex or triangle.
+bool color_by(Mesh& mesh, const std::filesystem::path& file, const MeshAttribute& attribute,
+              LoadContext& context);
 
 } // namespace onde

@@ -23,7 +23,13 @@ LACKS = {
     "veach-bidir": "nothing that is known: 2.2 % brighter than the reference",
     "veach-mis": "the reference has Beckmann's distribution, which pbrt's files can't name",
     "test_arealight": "rough plastic, of which Mitsuba's returns 2.6 % less than its smooth one",
-    "test_bumpmap": "bump maps",
+    "test_bumpmap": "bump maps, whose lack shows in more than 64 samples",
+    "test_roughplastic_linear": "rough plastic as dark as Mitsuba's, most at roughness 1",
+    "test_roughplastic_nonlinear": "rough plastic as dark as Mitsuba's",
+    "test_textured_roughconductor": "amorphous carbon (a-C), and textures of metals' roughness",
+    "test_texturedprincipled1": "principled materials' own lobes, and textures of their numbers",
+    "test_texturedprincipled2": "principled materials' own lobes, and textures of their numbers",
+    "test_texturedprincipledthin": "principled materials' own lobes, and textures of their numbers",
 }
 
 

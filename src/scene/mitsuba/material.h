@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/file_words.h"
-#include "scene/mitsuba/attribute.h"
+#include "scene/mesh_attribute.h"
 #include "scene/mitsuba/values.h"
 #include "scene/scene.h"
 

@@ -35,7 +35,8 @@ TEST_CASE("info counts shapes and area lights by their kinds, and the host's byt
     folder.write("more.toml", one + one + "[[light]]\ntype = \"disk\"\nradiance = 1\n");
     const std::string text = output_of(folder, {"info", "more.toml"});
     CHECK_THAT(text, Catch::Contains("shapes        3, 1 disk, 2 torus"));
-    CHECK_THAT(text, Catch::Contains("0 point, 0 spot, 0 photometric, 0 directional; area 1, 1 disk"));
+    CHECK_THAT(text,
+               Catch::Contains("0 point, 0 spot, 0 photometric, 0 directional; area 1, 1 disk"));
     const auto few = nlohmann::json::parse(output_of(folder, {"info", "one.toml", "--json"}));
     const auto more = nlohmann::json::parse(output_of(folder, {"info", "more.toml", "--json"}));
     CHECK(more.at("shapes").at("torus") == 2);

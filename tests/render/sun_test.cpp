@@ -141,6 +141,7 @@ TEST_CASE("a camera sees the sun's disk, before a transparent background it does
     RenderOptions options = small_options(8, 8, 4);
     CHECK(mean_of(render_scene(scene, options).image) == Approx(radiance).epsilon(1e-4));
     options.background = Background::transparent;
+    options.aovs = 1u << AOV_ALPHA;
     CHECK(std::ranges::max(render_scene(scene, options).image.pixels) == 0.0f);
     options.background = Background::environment;
     scene.cameras = {camera_at({0, 0, 0}, -to, float(radians(1)))};

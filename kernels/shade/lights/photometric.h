@@ -10,12 +10,12 @@ typedef struct {
     natural rows, columns;
 } Profile;
 
-// The first profile in lanes of other lights, whose word is another index.
+// Lanes with lights of other types get the first one.
 INLINE Profile light_profile(SceneView view, natural light) {
-    const mask own = RECORD_NATURAL(view.lights, light, LightRecord, kind) == LIGHT_PHOTOMETRIC;
+    const natural kind = RECORD_NATURAL(view.lights, light, LightRecord, kind);
     const natural first = RECORD_NATURAL(view.lights, light, LightRecord, surface);
     Profile p;
-    p.first = choose(own, first, (natural)(0u));
+    p.first = choose(kind == (uint)LIGHT_PHOTOMETRIC, first, (natural)(0u));
     p.rows = gather_natural(view.profiles, p.first + PROFILE_ROWS);
     p.columns = gather_natural(view.profiles, p.first + PROFILE_COLUMNS);
     return p;
@@ -38,7 +38,9 @@ INLINE real profile_value(SceneView view, Profile p, real3 d) {
     const real y = polar * to_real(p.rows), x = (turns - floor(turns)) * to_real(p.columns);
     const real top = min_real(floor(y), to_real(p.rows - 1u));
     const real left = min_real(floor(x), to_real(p.columns - 1u));
-    const natural row = as_natural(to_integer(top)), column = as_natural(to_integer(left));
+    // Dead lanes may have numbers that are none.
+    const natural row = min(as_natural(to_integer(top)), p.rows - 1u);
+    const natural column = min(as_natural(to_integer(left)), p.columns - 1u);
     const natural next = choose(column + 1u == p.columns, (natural)(0u), column + 1u);
     const real across = x - left, down = y - top;
     const real v0 = profile_node(view, p, row, column);

@@ -74,6 +74,9 @@ std::string absent_text(const FieldRules& rules, const T& initial) {
     if (!rules.absent.empty()) return std::string(rules.absent);
     if constexpr (std::is_same_v<T, float>)
         if (rules.form == Form::degrees) return fmt::format("`{:.6g}`", glm::degrees(initial));
+    if constexpr (std::is_same_v<T, glm::vec3>)
+        if (rules.form == Form::travel) // the member is against what files give
+            return "`" + value_text(glm::vec3(0.0f) - initial) + "`";
     if constexpr (requires { value_text(initial); }) return "`" + value_text(initial) + "`";
     return "";
 }

@@ -178,13 +178,13 @@ TEST_CASE("--light-sampler decides which light a path samples, and so which film
     std::string scene = onde::read_file(lights);
     scene.insert(scene.find("[render]\n") + 9, "light_sampler = \"tree\"\n");
     std::ofstream(folder / "own.toml") << scene;
-    REQUIRE(onde::test::onde(folder, {"render", "own.toml", "--size", "32x24", "--spp", "4", "-q",
-                                      "-o", "own.exr"})
+    REQUIRE(onde::test::onde(
+                folder, {"render", "own.toml", "--size", "32x24", "--spp", "4", "-o", "own.exr"})
                 .code == 0);
     const auto own = pixels("own.exr");
     const auto by = [&](const char* sampler) {
         const Outcome outcome =
-            onde::test::onde(folder, {"render", "own.toml", "--size", "32x24", "--spp", "4", "-q",
+            onde::test::onde(folder, {"render", "own.toml", "--size", "32x24", "--spp", "4",
                                       "--light-sampler", sampler, "-o", "by.exr"});
         REQUIRE(outcome.code == 0);
         return pixels("by.exr");

@@ -195,11 +195,15 @@ void add_directional(const DirectionalLight& light, double scene_radius, Weighte
     lights.add(record, PI * scene_radius * scene_radius * luminance(light.irradiance), light.group);
 }
 
+/// What of the environment's light meets a sphere around the scene.
+double environment_power(const Scene& scene, double scene_radius) {
+    return 4 * PI * PI * scene_radius * scene_radius * mean_radiance(scene.environment);
+}
+
 void add_environment(const Scene& scene, double scene_radius, WeightedLights& lights) {
-    const double mean = mean_radiance(scene.environment);
-    if (!(mean > 0)) return;
+    const double power = environment_power(scene, scene_radius);
+    if (!(power > 0)) return;
     const double others = std::accumulate(lights.power.begin(), lights.power.end(), 0.0);
-    const double power = 4 * PI * PI * scene_radius * scene_radius * mean;
     LightRecord record{};
     record.kind = LIGHT_ENVIRONMENT;
     lights.add(record, others > 0 ? std::clamp(power, others / 3, others) : 1.0,
@@ -243,6 +247,23 @@ std::vector<LightBounds> bounds_of(const Scene& scene, const WeightedLights& lig
         bounds.push_back(onde::bounds_of(light, two_sided, powers[i]));
     }
     return bounds;
+}
+
+/// The lights that a tree is for: all that have power in it, but for details that emission textures
+/// show, where an environment is far stronger than all of them.
+size_t count_for_tree(const Scene& scene, const WeightedLights& lights,
+                      const std::vector<double>& powers, double from_environment) {
+    constexpr double DIM_SHARE = 0.02;
+    const double all = std::accumulate(powers.begin(), powers.end(), 0.0);
+    const bool is_dim = all < DIM_SHARE * from_environment;
+    size_t count = 0;
+    for (size_t i = 0; i < powers.size(); i++) {
+        const LightRecord& light = lights.records[i];
+        const bool is_detail = is_dim && has_surface(light) &&
+                               scene.materials[light.material].emission_texture != NO_TEXTURE;
+        count += powers[i] > 0 && !is_detail;
+    }
+    return count;
 }
 
 void add_tree(const Scene& scene, const WeightedLights& lights, std::vector<double> powers,
@@ -290,7 +311,7 @@ LightList build_lights(const Scene& scene, FlatGeometry& flat, LightSampler samp
     list.records = lights.records;
     if (sampler == LightSampler::power) return list;
     std::vector<double> powers = powers_in_tree(lights, local);
-    const auto count = size_t(std::ranges::count_if(powers, [](double p) { return p > 0; }));
+    const size_t count = count_for_tree(scene, lights, powers, environment_power(scene, radius));
     if (sampler == LightSampler::tree || count >= ENOUGH_FOR_TREE)
         add_tree(scene, lights, std::move(powers), list);
     return list;

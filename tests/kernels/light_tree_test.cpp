@@ -280,3 +280,20 @@ TEST_CASE("what is all but black is left to rays, and the tree's other lights st
         points.point_lights.push_back({{float(i), 0, 0}, glm::vec3(i < 10 ? 1.0f : 1e-6f)});
     CHECK(pack_scene(points).light_tree.size() == 2 * 19);
 }
+
+TEST_CASE("glowing details of a texture have no tree beside a far stronger environment") {
+    Scene scene = row_of_lamps(40, 0);
+    Texture texture;
+    texture.image.width = texture.image.height = 1;
+    texture.image.rgba = {255, 255, 255, 255};
+    scene.textures.push_back(texture);
+    const auto has_tree = [&] { return pack_scene(scene).features.light_tree; };
+    CHECK(has_tree());
+    scene.environment.radiance = glm::vec3(10);
+    CHECK(has_tree()); // lamps in a hall that the sky may not reach
+    for (Material& material : scene.materials) material.emission_texture = 0;
+    CHECK_FALSE(has_tree());
+    CHECK(pack_scene(scene, {}, BY_TREE).features.light_tree);
+    scene.environment.radiance = glm::vec3(1e-3f);
+    CHECK(has_tree());
+}

@@ -137,6 +137,21 @@ Pair mean_of_beckmann(float cosine, float alpha, const Part& part) {
     return {sum.first / weights, sum.second / weights};
 }
 
+/// The mean of either distribution's microfacets, of part.operator()<lambda>(lambda of the view,
+/// microfacet). Points: those that GGX's are counted at.
+template <class Points, class Part>
+Pair mean_of(Distribution distribution, float cosine, float alpha, const Part& part) {
+    if (distribution == Distribution::beckmann)
+        return mean_of_beckmann(cosine, alpha,
+                                [&, seen = beckmann_lambda(cosine, alpha)](Microfacet m) {
+                                    return part.template operator()<beckmann_lambda>(seen, m);
+                                });
+    return mean_of_microfacets<Points>(cosine, alpha,
+                                       [&, seen = lambda(cosine, alpha)](Microfacet m) {
+                                           return part.template operator()<lambda>(seen, m);
+                                       });
+}
+
 /// Smith's Lambda by the length of a direction's part along the surface, stretched by alphas.
 float stretched_lambda(float cosine, float flat) {
     const float slope = flat / cosine;
@@ -163,15 +178,7 @@ ReflectionAlbedo reflection_albedo(double cosine, double alpha, Distribution dis
         const float reflected = shadowing<lambda>(seen, 2 * m.out * m.up - c, a);
         return std::array{reflected, reflected * schlick_weight(m.out)};
     };
-    const Pair mean =
-        distribution == Distribution::beckmann
-            ? mean_of_beckmann(c, a,
-                               [&, seen = beckmann_lambda(c, a)](Microfacet m) {
-                                   return part.operator()<beckmann_lambda>(seen, m);
-                               })
-            : mean_of_microfacets<DiskPoints<64, 16>>(c, a, [&, seen = lambda(c, a)](Microfacet m) {
-                  return part.operator()<lambda>(seen, m);
-              });
+    const Pair mean = mean_of<DiskPoints<64, 16>>(distribution, c, a, part);
     return {mean.first, mean.second};
 }
 
@@ -271,15 +278,7 @@ GlassAlbedo glass_albedo(double cosine, double alpha, double ior, Distribution d
         return std::array{scattered<lambda>(m, c, a, seen, outside),
                           scattered<lambda>(m, c, a, seen, inside)};
     };
-    const Pair mean =
-        distribution == Distribution::beckmann
-            ? mean_of_beckmann(c, a,
-                               [&, seen = beckmann_lambda(c, a)](Microfacet m) {
-                                   return part.operator()<beckmann_lambda>(seen, m);
-                               })
-            : mean_of_microfacets<DiskPoints<64, 32>>(c, a, [&, seen = lambda(c, a)](Microfacet m) {
-                  return part.operator()<lambda>(seen, m);
-              });
+    const Pair mean = mean_of<DiskPoints<64, 32>>(distribution, c, a, part);
     return {mean.first, mean.second};
 }
 

@@ -30,12 +30,6 @@ group = "fill"
 radiance = 0.1
 )";
 
-void succeed(const Folder& folder, const Arguments& arguments) {
-    const Outcome outcome = onde::test::onde(folder, arguments);
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
-}
-
 onde::Image group(const Folder& folder, const char* file, const std::string& layer) {
     return onde::read_exr(folder / file, {layer + ".R", layer + ".G", layer + ".B"});
 }

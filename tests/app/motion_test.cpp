@@ -1,7 +1,6 @@
 // Motion vectors as the program writes them: what they lead to, names, films, and what is said.
 #include "image/image_io.h"
-#include "onde_process.h"
-#include "support/folders.h"
+#include "slide.h"
 
 #include <nlohmann/json.hpp>
 
@@ -9,19 +8,8 @@ using namespace onde::test;
 
 namespace {
 
-const std::string SLIDE = in_project("tests/data/motion/slide.gltf"); ///< right and up in 1 s
-
-Outcome succeed(const Folder& folder, const Arguments& arguments) {
-    const Outcome outcome = onde::test::onde(folder, arguments);
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
-    return outcome;
-}
-
 Arguments slide(const Arguments& more) {
-    Arguments all{"--scene", "1", "--size", "64x48", "--spp", "16", "--float"};
-    all.insert(all.end(), more.begin(), more.end());
-    return render(SLIDE, all);
+    return onde::test::slide("16", more);
 }
 
 /// Sums over the pixels: of alpha, of alpha times the place, of alpha times the motion.

@@ -184,4 +184,13 @@ inline std::string output_of(const Folder& folder, const Arguments& arguments,
     return outcome.out;
 }
 
+/// Runs the program, which must do what it was asked.
+inline Outcome succeed(const Folder& folder, const Arguments& arguments,
+                       const Environment& environment = {}) {
+    const Outcome outcome = onde(folder, arguments, environment);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return outcome;
+}
+
 } // namespace onde::test

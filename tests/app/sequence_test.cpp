@@ -1,7 +1,6 @@
 // Numbered pictures: a camera that goes round the scene, the frames of an animation.
 #include "image/image_io.h"
-#include "onde_process.h"
-#include "support/folders.h"
+#include "slide.h"
 
 #include <nlohmann/json.hpp>
 
@@ -9,21 +8,11 @@ using namespace onde::test;
 
 namespace {
 
-const std::string SLIDE = in_project("tests/data/motion/slide.gltf"); ///< right and up in 1 s
-
 size_t count(const std::string& text, const std::string& part) {
     size_t found = 0;
     for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
         ++found;
     return found;
-}
-
-Outcome succeed(const Folder& folder, const Arguments& arguments,
-                const Environment& environment = {}) {
-    const Outcome outcome = onde::test::onde(folder, arguments, environment);
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
-    return outcome;
 }
 
 /// Of the pixels that are covered: where they are on the average, and whether any is at an edge.

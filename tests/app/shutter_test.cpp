@@ -1,26 +1,14 @@
 // Motion blur and projections as the program takes them: what files and options ask for, what is
 // said, and what is refused.
 #include "image/image_io.h"
-#include "onde_process.h"
-#include "support/folders.h"
+#include "slide.h"
 
 using namespace onde::test;
 
 namespace {
 
-const std::string SLIDE = in_project("tests/data/motion/slide.gltf"); ///< right and up in 1 s
-
-Outcome succeed(const Folder& folder, const Arguments& arguments) {
-    const Outcome outcome = onde::test::onde(folder, arguments);
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
-    return outcome;
-}
-
 Arguments slide(const Arguments& more) {
-    Arguments all{"--scene", "1", "--size", "64x48", "--spp", "64", "--float"};
-    all.insert(all.end(), more.begin(), more.end());
-    return render(SLIDE, all);
+    return onde::test::slide("64", more);
 }
 
 void check_refused(const Folder& folder, const Arguments& options, const std::string& words) {

@@ -84,6 +84,14 @@ Columns links_of(const Camera& camera, const std::vector<glm::dvec3>& directions
     return probe.run("camera_link", in, 7);
 }
 
+/// Of places on the film, in the world.
+std::vector<glm::dvec3> directions_at(const Camera& camera, const std::vector<glm::dvec2>& at) {
+    std::vector<glm::dvec3> directions;
+    for (const glm::dvec2& p : at)
+        directions.push_back(in_world(camera, expected_direction(camera.projection, p.x, p.y)));
+    return directions;
+}
+
 } // namespace
 
 TEST_CASE("a place on the film of a panorama or fisheye has the ray of the closed form") {
@@ -108,9 +116,7 @@ TEST_CASE("links of panoramas and fisheyes lead back to where the ray came from"
     for (const Projection projection : WIDE) {
         const Camera camera = camera_of(projection);
         const std::vector<glm::dvec2> at = places(projection);
-        std::vector<glm::dvec3> directions;
-        for (const glm::dvec2& p : at)
-            directions.push_back(in_world(camera, expected_direction(projection, p.x, p.y)));
+        const std::vector<glm::dvec3> directions = directions_at(camera, at);
         const Columns out = links_of(camera, directions, 2.5);
         const auto error = [&](size_t i) {
             return std::max(std::abs(out[3][i] - at[i].x), std::abs(out[4][i] - at[i].y)) +
@@ -130,9 +136,7 @@ TEST_CASE(
     for (const Projection projection : WIDE) {
         const Camera camera = camera_of(projection);
         const std::vector<glm::dvec2> at = places(projection);
-        std::vector<glm::dvec3> directions;
-        for (const glm::dvec2& p : at)
-            directions.push_back(in_world(camera, expected_direction(projection, p.x, p.y)));
+        const std::vector<glm::dvec3> directions = directions_at(camera, at);
         const Columns out = links_of(camera, directions, 2.5);
         const auto solid_angle = [&](const glm::dvec2& p) {
             if (projection == Projection::panorama)

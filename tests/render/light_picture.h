@@ -165,4 +165,14 @@ inline std::vector<Image> trace_seeds(const Scene& scene, RenderOptions options)
     return pictures;
 }
 
+/// That light tracing shows what paths from the camera find.
+inline void check_paths_agree(const Scene& scene, const RenderOptions& options,
+                              double most_deviation) {
+    const LightVerdict verdict =
+        compare_light(trace_seeds(scene, options), expect_paths(scene, options));
+    INFO(verdict.sentence);
+    CHECK(verdict.accepted);
+    CHECK(verdict.deviation < most_deviation);
+}
+
 } // namespace onde::test

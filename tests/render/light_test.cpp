@@ -126,11 +126,7 @@ TEST_CASE("light tracing of an orthographic view expects what paths from the cam
     scene.environment.radiance = glm::vec3(0.1f, 0.2f, 0.3f);
     RenderOptions options = small_options(48, 40, 256);
     options.depth = 3;
-    const LightVerdict verdict =
-        compare_light(trace_seeds(scene, options), expect_paths(scene, options));
-    INFO(verdict.sentence);
-    CHECK(verdict.accepted);
-    CHECK(verdict.deviation < 0.01);
+    check_paths_agree(scene, options, 0.01);
 }
 
 TEST_CASE("light tracing expects the reference's picture under a map of the sky") {

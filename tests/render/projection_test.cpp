@@ -122,11 +122,7 @@ TEST_CASE("light tracing expects the path tracer's panorama and fisheye, of all 
                 small_options(48, projection == Projection::fisheye ? 40 : 24, 64);
             options.filter = filter;
             options.depth = 3;
-            const LightVerdict verdict =
-                compare_light(trace_seeds(scene, options), expect_paths(scene, options));
-            INFO(verdict.sentence);
-            CHECK(verdict.accepted);
-            CHECK(verdict.deviation < 0.02);
+            check_paths_agree(scene, options, 0.02);
         }
 }
 

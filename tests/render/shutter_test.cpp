@@ -167,11 +167,7 @@ TEST_CASE("light tracing expects the path tracer's blur") {
     Scene scene = moving_scene();
     RenderOptions options = small_options(48, 40, 64);
     options.depth = 3;
-    const LightVerdict verdict =
-        compare_light(trace_seeds(scene, options), expect_paths(scene, options));
-    INFO(verdict.sentence);
-    CHECK(verdict.accepted);
-    CHECK(verdict.deviation < 0.02);
+    check_paths_agree(scene, options, 0.02);
 }
 
 TEST_CASE("every engine traces light in time with the same bits") {

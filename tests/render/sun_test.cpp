@@ -88,15 +88,6 @@ Image map_of(const DirectionalLight& sun) {
     return map;
 }
 
-/// Paths and light tracing expect the same picture.
-void check_tracing(const Scene& scene, RenderOptions options, double most_deviation) {
-    const LightVerdict verdict =
-        compare_light(trace_seeds(scene, options), expect_paths(scene, options));
-    INFO(verdict.sentence);
-    CHECK(verdict.accepted);
-    CHECK(verdict.deviation < most_deviation);
-}
-
 } // namespace
 
 TEST_CASE("a sun gives a tilted plane its irradiance times the cosine") {
@@ -168,9 +159,9 @@ TEST_CASE("light tracing draws suns and measured lamps as paths from the camera 
     scene.environment.radiance = glm::vec3(0.05f);
     RenderOptions options = small_options(48, 40, 256);
     options.depth = 3;
-    check_tracing(scene, options, 0.01);
+    check_paths_agree(scene, options, 0.01);
     scene.cameras[0].orthographic_height = 4;
-    check_tracing(scene, options, 0.01);
+    check_paths_agree(scene, options, 0.01);
 }
 
 TEST_CASE("light tracing shows parallel rays what stands where they look") {
